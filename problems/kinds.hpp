@@ -6,11 +6,13 @@
 
 #include "problems/cam/problem.hpp"
 #include "problems/chain/problem.hpp"
+#include "problems/chain_function/problem.hpp"
 #include "problems/dwell/problem.hpp"
 #include "problems/evaluation/problem.hpp"
 #include "problems/function/problem.hpp"
 #include "problems/gear/problem.hpp"
 #include "problems/guidance/problem.hpp"
+#include "problems/leg/problem.hpp"
 #include "problems/machine/problem.hpp"
 #include "problems/path/problem.hpp"
 #include "problems/quick_return/problem.hpp"
@@ -22,9 +24,9 @@ namespace cognate::problems {
 /// The list of all kinds of problem. Messages name them in this order, those of
 /// one word once.
 using Task =
-    std::variant<PathProblem, ChainPathProblem, FunctionProblem, DwellProblem, MotionProblem,
-                 QuickReturnProblem, StraightLineProblem, CamProblem, GearProblem, GearPairProblem,
-                 GearTrainProblem, AnalysisProblem, MachineProblem>;
+    std::variant<PathProblem, ChainPathProblem, FunctionProblem, ChainFunctionProblem, DwellProblem,
+                 MotionProblem, QuickReturnProblem, StraightLineProblem, LegProblem, CamProblem,
+                 GearProblem, GearPairProblem, GearTrainProblem, AnalysisProblem, MachineProblem>;
 
 /// Calls `visit` with `std::type_identity` of each kind of problem, in the order of `Task`.
 template <class Visit>

@@ -125,6 +125,7 @@ std::optional<double> misplacement(const Cam& cam, const CamDimensions<double>& 
     case FollowerType::oscillating_flat:
       return of_oscillating_face(cam, changes, angle);
     case FollowerType::oscillating_roller:
+    case FollowerType::oscillating_knife:
       return of_oscillating_roller(cam, changes, angle);
     default:
       return of_translating_roller(cam, changes, angle);
@@ -142,7 +143,7 @@ std::array<double, 6> misplacement_rates(const Cam& cam, double angle) {
   }
   const auto state = roller_state(follower, cam.system.start, motion);
   const double length = norm(state.tangent);
-  if (follower.type != FollowerType::oscillating_roller) {
+  if (!has_arm(follower.type)) {
     const double along_normal = length / state.along, slope = state.across / state.along;
     return {along_normal, slope, along_normal, 0, 0, 0};
   }

@@ -12,8 +12,7 @@ namespace cognate::cam {
 /// an oscillating one), if its dimensions are off by `changes`. The profile is that of the cam as
 /// designed; a change of the base radius raises it by as much along its normals. The contact is
 /// found anew: the roller's centre on the parallel of the pitch curve that its path or arm crosses,
-/// the face on the tangent. Empty where it is not found, or
-/// undercut.
+/// the face on the tangent. Empty where it is not found, or undercut.
 std::optional<double> misplacement(const Cam& cam, const CamDimensions<double>& changes,
                                    double angle);
 

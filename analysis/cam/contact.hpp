@@ -31,7 +31,8 @@ T starting_place(const CamFollower<T>& follower) {
   switch (follower.type) {
     case FollowerType::translating_flat:
       return d.base_radius;
-    case FollowerType::oscillating_roller: {
+    case FollowerType::oscillating_roller:
+    case FollowerType::oscillating_knife: {
       // By the half angle: acos of the cosine rule loses half its digits where the triangle is
       // flat.
       const T& a = d.centre_distance;
@@ -90,9 +91,8 @@ RollerState<T> oscillating_state(const CamDimensions<T>& d, ArmSide side, const 
 template <class T>
 RollerState<T> roller_state(const CamFollower<T>& follower, const T& start,
                             const FollowerMotion<T>& m) {
-  return follower.type == FollowerType::oscillating_roller
-             ? oscillating_state(follower.dimensions, follower.side, start, m)
-             : translating_state(follower.dimensions, start, m);
+  return has_arm(follower.type) ? oscillating_state(follower.dimensions, follower.side, start, m)
+                                : translating_state(follower.dimensions, start, m);
 }
 
 /// Curvature of the pitch curve, positive where it is convex.

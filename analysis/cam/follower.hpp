@@ -9,7 +9,8 @@ enum class FollowerType {
   translating_flat,  ///< its face square to its travel
   translating_knife,
   oscillating_roller,
-  oscillating_flat
+  oscillating_flat,
+  oscillating_knife  ///< an edge on a swinging arm
 };
 
 /// How an oscillating follower's arm lies to the motion of the cam's surface below it: `trailing`,
@@ -26,7 +27,18 @@ enum class Closure {
 
 /// Whether the follower swings about a pivot.
 constexpr bool is_oscillating(FollowerType type) {
-  return type == FollowerType::oscillating_roller || type == FollowerType::oscillating_flat;
+  return type == FollowerType::oscillating_roller || type == FollowerType::oscillating_flat ||
+         type == FollowerType::oscillating_knife;
+}
+
+/// Whether an arm carries a roller or a knife edge about a pivot.
+constexpr bool has_arm(FollowerType type) {
+  return type == FollowerType::oscillating_roller || type == FollowerType::oscillating_knife;
+}
+
+/// Whether an edge touches the cam: a roller of radius 0, whose pitch curve is the profile.
+constexpr bool is_knife(FollowerType type) {
+  return type == FollowerType::translating_knife || type == FollowerType::oscillating_knife;
 }
 
 /// Whether a flat face touches the cam.
@@ -49,7 +61,7 @@ struct CamDimensions {
   T offset{};
   T roller_radius{};    ///< 0: a knife edge
   T centre_distance{};  ///< of an oscillating follower's pivot from the cam's centre
-  T arm{};              ///< from that pivot to the roller's centre
+  T arm{};              ///< from that pivot to the roller's centre or the edge
   T face_offset{};      ///< by how much a swinging face lies nearer to the cam than its pivot
 };
 

@@ -64,7 +64,7 @@ T force_ratio(const CamSystem<T>& cam, const T& across, const T& along) {
   const auto type = cam.follower.type;
   if (type == FollowerType::oscillating_flat) return T(1) / (T(cam.operation.metres) * along);
   const T ratio = sqrt(across * across + along * along) / along;
-  if (type != FollowerType::oscillating_roller) return ratio;
+  if (!has_arm(type)) return ratio;
   return ratio / (T(cam.operation.metres) * cam.follower.dimensions.arm);
 }
 
@@ -79,7 +79,7 @@ T roller_speed(const CamSystem<T>& cam, const RollerState<T>& state, const Follo
   // On the outer wall of a groove it passes the other side of the roller.
   const bool outside = cam.groove && demand(cam.operation, m) < T(0);
   const T spin = (outside ? radius + length : radius - length) / radius;
-  const bool swings = cam.follower.type == FollowerType::oscillating_roller;
+  const bool swings = has_arm(cam.follower.type);
   return swings ? spin + T(sign_of(cam.follower.side)) * m.velocity : spin;
 }
 

@@ -104,7 +104,7 @@ class CollisionFinder {
     const std::size_t runs = motion_.runs.size();
     for (std::size_t i = 0; i < runs; ++i) {
       const AssemblyRange& run = motion_.runs[rising ? i : runs - 1 - i];
-      const bool turns = !std::holds_alternative<DrivingSlider<Strip>>(mechanism_.drive);
+      const bool turns = !driven_by_length(mechanism_.drive);
       const double share = turns ? (run.to - run.from) / kTurn : 1;
       const int cells = std::max(1, static_cast<int>(std::ceil(kFirstCells * share)));
       for (int k = 0; k < cells; ++k) {
@@ -184,7 +184,7 @@ class CollisionFinder {
       strip_sides_[static_cast<std::size_t>(change.dyad)] = {0, 0, 1};
     }
     DrivePosition<Strip> drive;
-    if (std::holds_alternative<DrivingSlider<Strip>>(mechanism_.drive)) {
+    if (driven_by_length(mechanism_.drive)) {
       drive.displacement = {middle, half, 0};
     } else {
       drive.direction = direction_over(middle, half);

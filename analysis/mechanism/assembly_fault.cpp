@@ -36,6 +36,11 @@ AssemblyFault fault_of(const Rpp<double>& /*dyad*/, const Reach& reach) {
   return {AssemblyFaultKind::parallel_guides, 0, reach.distance, 0, 0};
 }
 
+AssemblyFault fault_of(const Cylinder<double>& dyad, const Reach& reach) {
+  const double length = reach.most - dyad.length;
+  return fault_of(Rrr<double>{dyad.base, dyad.pivot, length, dyad.length}, reach);
+}
+
 bool is_placed(const BodyMotion<double, 0>& body) {
   return std::isfinite(body.direction.x) && std::isfinite(body.origin[0].x) &&
          std::isfinite(body.origin[0].y);
@@ -48,7 +53,8 @@ std::optional<AssemblyFault> assembly_fault(const Mechanism<double>& mechanism, 
   MechanismMotion<0> motion(mechanism);
   std::ranges::copy(sides, motion.sides().begin());
   motion.move_to(drive);
-  for (int i = 1; i <= drive_bodies(mechanism); ++i) {
+  const bool is_rod = std::holds_alternative<DrivingRod<double>>(mechanism.drive);
+  for (int i = 1; !is_rod && i <= drive_bodies(mechanism); ++i) {
     if (is_placed(motion.bodies()[static_cast<std::size_t>(i)])) continue;
     return AssemblyFault{AssemblyFaultKind::parallel_supports, -1, 0, 0, 0};
   }
@@ -57,7 +63,7 @@ std::optional<AssemblyFault> assembly_fault(const Mechanism<double>& mechanism, 
     const bool closes = motion.closures()[i].discriminant >= 0 &&
                         is_placed(motion.bodies()[next]) && is_placed(motion.bodies()[next + 1]);
     if (closes) continue;
-    const Reach reach = cognate::reach(mechanism.dyads[i], motion.bodies().first(next));
+    const Reach reach = cognate::reach(mechanism.dyads[i], motion.bodies().first(next), drive);
     AssemblyFault fault =
         std::visit([&](const auto& group) { return fault_of(group, reach); }, mechanism.dyads[i]);
     fault.dyad = static_cast<int>(i);

@@ -49,7 +49,7 @@ Reach AssemblyProbe::dyad_reach(const AssemblyRange& run, double drive, int inde
     places_[i].direction = {body.direction.x.value, body.direction.y.value};
     places_[i].origin[0] = {body.origin[0].x.value, body.origin[0].y.value};
   }
-  return reach(dyad(index), places_);
+  return reach(dyad(index), places_, drive);
 }
 
 Closeness AssemblyProbe::closeness(const AssemblyRange& run, double drive, int index) {

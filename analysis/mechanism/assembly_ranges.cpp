@@ -35,7 +35,7 @@ class Follower {
     assembly_ranges_.start = start;
     assembly_ranges_.end = end;
     const double length = std::abs(end - start);
-    const bool is_length = std::holds_alternative<DrivingSlider<double>>(mechanism.drive);
+    const bool is_length = driven_by_length(mechanism.drive);
     if (is_length && length > 0) assembly_ranges_.scale = length / kTurn;
     // Beyond both ends, so that a change there has two sides; by a part of a cell, so that round
     // angles, where much happens, are not among the places looked at.

@@ -52,7 +52,7 @@ class Circuit {
   }
 
  private:
-  bool turns() const { return !std::holds_alternative<DrivingSlider<double>>(mechanism_.drive); }
+  bool turns() const { return !driven_by_length(mechanism_.drive); }
 
   /// Farther than a driving slider can go.
   double reach(double drive) const {

@@ -38,6 +38,7 @@ class Converter {
   FloatingLink<T> of(const FloatingLink<double>& d) {
     return {of(d.first), of(d.second), of(d.length)};
   }
+  DrivingRod<T> of(const DrivingRod<double>&) { return {}; }
   Rrr<T> of(const Rrr<double>& d) {
     return {of(d.first), of(d.second), of(d.first_length), of(d.second_length), d.assembly};
   }
@@ -45,6 +46,9 @@ class Converter {
   Rpr<T> of(const Rpr<double>& d) { return {of(d.block), of(d.pivot), of(d.offset), d.assembly}; }
   Prp<T> of(const Prp<double>& d) { return {of(d.first), of(d.second)}; }
   Rpp<T> of(const Rpp<double>& d) { return {of(d.point), of(d.slot), of(d.guide)}; }
+  Cylinder<T> of(const Cylinder<double>& d) {
+    return {of(d.base), of(d.pivot), of(d.length), d.assembly};
+  }
 
   Lift lift_;
 };

@@ -52,6 +52,10 @@ Reach reach_of(const Rpp<double>& dyad, Bodies /*bodies*/) {
   return {std::abs(dyad.slot.y), 0, 1, 1, true};
 }
 
+Reach reach_of(const Cylinder<double>& dyad, Bodies bodies, double length) {
+  return reach_of(Rrr<double>{dyad.base, dyad.pivot, std::abs(length), dyad.length}, bodies);
+}
+
 /// Of the product of p = d² − (l₁ − l₂)² and q = (l₁ + l₂)² − d², over (2 l₁ l₂)², where each
 /// length may be off by the tolerance of the class: rrr_motion.hpp computes them as accurately.
 double four_bar_rounding(const Rrr<double>& dyad, const Crank<double>& crank, const Reach& reach) {
@@ -68,8 +72,16 @@ double four_bar_rounding(const Rrr<double>& dyad, const Crank<double>& crank, co
 
 }  // namespace
 
-Reach reach(const Dyad<double>& dyad, Bodies bodies) {
-  return std::visit([&](const auto& group) { return reach_of(group, bodies); }, dyad);
+Reach reach(const Dyad<double>& dyad, Bodies bodies, double drive) {
+  return std::visit(
+      [&]<class Group>(const Group& group) {
+        if constexpr (std::is_same_v<Group, Cylinder<double>>) {
+          return reach_of(group, bodies, drive);
+        } else {
+          return reach_of(group, bodies);
+        }
+      },
+      dyad);
 }
 
 double discriminant_rounding(const Mechanism<double>& mechanism, int index, const Reach& reach) {
@@ -81,6 +93,10 @@ double discriminant_rounding(const Mechanism<double>& mechanism, int index, cons
     }
     const double error = kRounding * reach.extent;  // of a coordinate, a length
     return kRounding + 2 * error * reach.distance / (rrr->first_length * rrr->second_length);
+  }
+  if (const auto* cylinder = std::get_if<Cylinder<double>>(&dyad)) {
+    const double length = std::abs(reach.most - cylinder->length);
+    return kRounding + 2 * kRounding * reach.extent * reach.distance / (length * cylinder->length);
   }
   if (const auto* rrp = std::get_if<Rrp<double>>(&dyad)) return 2 * tolerance / rrp->length;
   if (std::holds_alternative<Rpr<double>>(dyad)) {

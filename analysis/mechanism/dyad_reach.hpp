@@ -15,6 +15,7 @@ namespace cognate {
 ///     RRP  |h|, the distance of the point from the guide: ≤ l
 ///     RPR  |d|, the distance of block and pivot: ≥ |offset|
 ///     PRP, RPP  |sin|: > 0
+///     cylinder  as RRR, with its length as l₁
 struct Reach {
   double distance = 0;
   double least = 0;
@@ -23,8 +24,8 @@ struct Reach {
   bool is_sine = false;
 };
 
-/// Of `dyad` on `bodies` (those before it).
-Reach reach(const Dyad<double>& dyad, std::span<const BodyMotion<double, 0>> bodies);
+/// Of `dyad` on `bodies` (those before it) at the drive's coordinate `drive`.
+Reach reach(const Dyad<double>& dyad, std::span<const BodyMotion<double, 0>> bodies, double drive);
 
 /// How much rounding may have changed the discriminant of dyad `index`, which has `reach` there. Of
 /// mechanisms whose class has a tolerance (analysis/linkage/mobility.hpp) it is what makes a

@@ -58,6 +58,9 @@ struct JointBalance::DyadJointsOf {
   DyadJoints operator()(const Rpp<double>& dyad) const {
     return {.inner_slides = true, .outer = {pin(dyad.point), slide(dyad.guide)}};
   }
+  DyadJoints operator()(const Cylinder<double>& dyad) const {
+    return {.outer = {pin(dyad.base), pin(dyad.pivot)}, .by_reach = {0, 1 / dyad.length}};
+  }
 };
 
 JointBalance::JointBalance(const Mechanism<double>& mechanism)
@@ -167,16 +170,42 @@ double JointBalance::solve_drive(const FloatingLink<double>& link, std::span<Rea
   return torque;
 }
 
+/// Cylinder and rod turn together: the moment of both about the cylinder's pivot gives what the
+/// rod's pin bears across them, that of the link about its own the rest. `reactions` are the slide
+/// of the rod in the cylinder, the cylinder's pivot, the rod's pin and the link's pivot.
+double JointBalance::solve_drive(const DrivingRod<double>&, std::span<Reaction> reactions) {
+  const LoadedBody &rod = bodies_[1], &cylinder = bodies_[2], &link = bodies_[3];
+  const DyadJoints& dyad = dyads_.front();
+  const Vec2d along = rod.origin - cylinder.origin;
+  const double by_length = 1 / dot(along, cylinder.direction);
+  const double turning =
+      cylinder.required.moment + rod.required.moment + cross(along, rod.required.force);
+  // The pin exerts its force on the link and its opposite on the rod.
+  const Vec2d pin = pin_force({cylinder.direction, -by_length * turning},
+                              {link.direction, dyad.by_reach[1] * link.required.moment});
+  const Vec2d of_rod = rod.required.force + pin;
+  const double drive = dot(cylinder.direction, of_rod);
+  reactions[0] = {of_rod - drive * cylinder.direction, rod.required.moment};
+  reactions[1] = outer_pin(dyad.outer[0], cylinder.required.force + of_rod);
+  reactions[2] = {pin};
+  reactions[3] = outer_pin(dyad.outer[1], link.required.force - pin);
+  return drive;
+}
+
 bool JointBalance::solve(Forces& forces) {
   bodies_[0].required = {};
   const std::span<Reaction> reactions = forces.reactions;
   const std::size_t of_drive = drive_joints();
-  for (std::size_t i = dyads_.size(); i-- > 0;) {
+  const std::size_t with_drive = drives_cylinder() ? 1 : 0;
+  for (std::size_t i = dyads_.size(); i-- > with_drive;) {
     const LoadedBody* pair = &bodies_[1 + drive_bodies_ + 2 * i];
     solve_dyad(dyads_[i], pair[0], pair[1], reactions.subspan(of_drive + 3 * i).first<3>());
   }
   forces.drive = std::visit(
-      [&](const auto& member) { return solve_drive(member, reactions.first(of_drive)); }, drive_);
+      [&](const auto& member) {
+        return solve_drive(member, reactions.first(of_drive + 3 * with_drive));
+      },
+      drive_);
   // What the frame requires for its rest is the opposite of what it receives.
   forces.shaking_force = -bodies_[0].required.force;
   forces.shaking_moment = -bodies_[0].required.moment;

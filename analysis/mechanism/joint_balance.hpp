@@ -72,9 +72,13 @@ class JointBalance {
   double solve_drive(const Crank<double>& crank, std::span<Reaction> reactions);
   double solve_drive(const DrivingSlider<double>& slider, std::span<Reaction> reactions);
   double solve_drive(const FloatingLink<double>& link, std::span<Reaction> reactions);
+  double solve_drive(const DrivingRod<double>& rod, std::span<Reaction> reactions);
 
   /// A floating link has its two pins and its two guides.
   std::size_t drive_joints() const { return drive_bodies_ == 3 ? 4 : 1; }
+
+  /// Whether the drive's joints and those of the first dyad are solved together.
+  bool drives_cylinder() const { return std::holds_alternative<DrivingRod<double>>(drive_); }
 
   Drive<double> drive_;
   std::size_t drive_bodies_;

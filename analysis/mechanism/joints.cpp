@@ -25,6 +25,10 @@ std::vector<Joint> joints_of(const FloatingLink<double>& link) {
           prismatic(0, 3, 3)};
 }
 
+std::vector<Joint> joints_of(const DrivingRod<double>&) {
+  return {prismatic(2, 1, 1)};
+}
+
 // The dyads, whose bodies are n and n + 1.
 
 std::vector<Joint> joints_of(const Rrr<double>& dyad, int n) {
@@ -50,6 +54,11 @@ std::vector<Joint> joints_of(const Prp<double>& dyad, int n) {
 std::vector<Joint> joints_of(const Rpp<double>& dyad, int n) {
   return {revolute(dyad.point.body, n, dyad.point), prismatic(n, n + 1, n),
           prismatic(dyad.guide.body, n + 1, n + 1)};
+}
+
+std::vector<Joint> joints_of(const Cylinder<double>& dyad, int n) {
+  return {revolute(dyad.base.body, n, dyad.base), revolute(1, n + 1, {1, {0, 0}}),
+          revolute(dyad.pivot.body, n + 1, dyad.pivot)};
 }
 
 void append(JointList& list, int first_body, int bodies, const std::vector<Joint>& joints) {

@@ -21,7 +21,7 @@ std::vector<double> sides(const Mechanism<double>& mechanism) {
 }
 
 DrivePosition<double> drive_position(const Mechanism<double>& mechanism, double coordinate) {
-  if (std::holds_alternative<DrivingSlider<double>>(mechanism.drive)) {
+  if (driven_by_length(mechanism.drive)) {
     return {.direction = {1, 0}, .displacement = coordinate};
   }
   return {.direction = unit_vector(coordinate), .displacement = 0};

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "analysis/mechanism/cylinder_motion.hpp"
 #include "analysis/mechanism/dyad_motion.hpp"
 #include "analysis/mechanism/mechanism.hpp"
 #include "analysis/mechanism/motion_state.hpp"
@@ -73,11 +74,18 @@ void place_drive(const FloatingLink<T>& link, const DrivePosition<T>& drive,
   bodies[2] = second_block;
 }
 
+/// The rod is placed with its cylinder.
+template <int Order, class T>
+void place_drive(const DrivingRod<T>&, const DrivePosition<T>&,
+                 std::span<BodyMotion<T, Order>> bodies) {
+  bodies[0] = BodyMotion<T, Order>{};
+}
+
 /// +1 or −1 for each dyad, as its `assembly` says (+1 where it has none).
 std::vector<double> sides(const Mechanism<double>& mechanism);
 
-/// The drive at `coordinate`: an angle from the x axis in radians, or a driving slider's
-/// displacement.
+/// The drive at `coordinate`: an angle from the x axis in radians, a driving slider's displacement
+/// or a cylinder's length.
 DrivePosition<double> drive_position(const Mechanism<double>& mechanism, double coordinate);
 
 /// Fills `bodies` (body_count(mechanism) of them, the frame at 0) with their motion at `drive`,
@@ -105,7 +113,11 @@ void evaluate(const Mechanism<T>& mechanism, const DrivePosition<std::type_ident
             const bool on_crank = is_crank && group.first.body + group.second.body == 1;
             if (on_crank) return close_on_crank<Order, T>(group, sides[i], before);
           }
-          return close_dyad<Order, T>(group, sides[i], before);
+          if constexpr (std::is_same_v<decltype(group), const Cylinder<T>&>) {
+            return close_cylinder<Order, T>(group, drive.displacement, sides[i], before, bodies[1]);
+          } else {
+            return close_dyad<Order, T>(group, sides[i], before);
+          }
         },
         mechanism.dyads[i]);
     bodies[next] = dyad.first;

@@ -11,6 +11,9 @@
 ///     driving slider    origin where the displacement says, first axis along its guide
 ///     floating link     origin at its first pin, first axis from there to its second pin
 ///       its two blocks  origin at the pin, first axis along the guide
+///     rod of a cylinder origin at its pin, first axis away from the cylinder
+///     cylinder          origin at its pivot, first axis towards the rod's pin
+///       its link        origin at its pivot, first axis towards the rod's pin
 ///     RRR  first        origin at the first point, first axis to the inner joint
 ///          second       origin at the second point, first axis to the inner joint
 ///     RRP  first        origin at the point, first axis to the inner joint
@@ -72,9 +75,21 @@ struct FloatingLink {
   T length{};
 };
 
+/// Driven by the length of a cylinder, from its pivot to the pin of its rod. The body of the drive
+/// is the rod; the first dyad must be a `Cylinder`, which places it.
+template <class T>
+struct DrivingRod {};
+
 /// What drives: one of these.
 template <class T>
-using Drive = std::variant<Crank<T>, DrivingSlider<T>, FloatingLink<T>>;
+using Drive = std::variant<Crank<T>, DrivingSlider<T>, FloatingLink<T>, DrivingRod<T>>;
+
+/// Whether the drive's coordinate is a length, not an angle.
+template <class T>
+bool driven_by_length(const Drive<T>& drive) {
+  return std::holds_alternative<DrivingSlider<T>>(drive) ||
+         std::holds_alternative<DrivingRod<T>>(drive);
+}
 
 /// Two links and three turning joints. `open`: the inner joint lies to the left of the directed
 /// line from the first to the second point.
@@ -119,9 +134,20 @@ struct Rpp {
   Guide<T> guide{};
 };
 
+/// A cylinder that turns about `base` and a link of `length` that turns about `pivot`, points of
+/// the frame, joined by the pin of the driving rod: with the drive's coordinate as the length from
+/// base to pin, a triangle. `open`: the pin lies to the left of the directed line from the base to
+/// the pivot.
+template <class T>
+struct Cylinder {
+  Attached<T> base{}, pivot{};
+  T length{};
+  Assembly assembly = Assembly::open;
+};
+
 /// Two bodies that close on what is there before: one of these.
 template <class T>
-using Dyad = std::variant<Rrr<T>, Rrp<T>, Rpr<T>, Prp<T>, Rpp<T>>;
+using Dyad = std::variant<Rrr<T>, Rrp<T>, Rpr<T>, Prp<T>, Rpp<T>, Cylinder<T>>;
 
 /// A drive and dyads, in the order in which they close.
 template <class T>

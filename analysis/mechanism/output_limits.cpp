@@ -182,7 +182,7 @@ class Collector {
     std::vector<OutputValue>& limits = range_.limits;
     std::ranges::sort(limits, {}, &OutputValue::drive);
     if (assembly_ranges.end < assembly_ranges.start) std::ranges::reverse(limits);
-    const bool turns = !std::holds_alternative<DrivingSlider<double>>(motion_.mechanism().drive);
+    const bool turns = !driven_by_length(motion_.mechanism().drive);
     if (turns && limits.size() > 1 &&
         std::abs(std::abs(limits.back().drive - limits.front().drive) - kTurn) < kSameLimit) {
       limits.pop_back();
@@ -228,7 +228,7 @@ std::optional<OutputRange> output_range(const Mechanism<double>& mechanism,
 
 std::optional<double> time_ratio(const Mechanism<double>& mechanism,
                                  const AssemblyRanges& assembly_ranges, const OutputRange& output) {
-  const bool turns = !std::holds_alternative<DrivingSlider<double>>(mechanism.drive);
+  const bool turns = !driven_by_length(mechanism.drive);
   const bool is_whole =
       assembly_ranges.runs.size() == 1 && assembly_ranges.points.empty() &&
       std::abs(assembly_ranges.end - assembly_ranges.start) >= kTurn * (1 - 1e-12);

@@ -17,6 +17,10 @@ Pairs pairs_of(const FloatingLink<double>& link) {
   return {on_guide(2, link.first), on_guide(3, link.second)};
 }
 
+Pairs pairs_of(const DrivingRod<double>&) {
+  return {};
+}
+
 // The dyads, whose bodies are n and n + 1.
 
 Pairs pairs_of(const Rrr<double>&, int) {
@@ -37,6 +41,10 @@ Pairs pairs_of(const Prp<double>& dyad, int n) {
 
 Pairs pairs_of(const Rpp<double>& dyad, int n) {
   return {{n, {n + 1, {0, 0}}, dyad.slot}, on_guide(n + 1, dyad.guide)};
+}
+
+Pairs pairs_of(const Cylinder<double>&, int) {
+  return {};
 }
 
 /// The bodies after whose angles those of a dyad's two bodies follow; −1 for one that turns by
@@ -64,6 +72,10 @@ Followed followed_by(const Prp<double>& dyad) {
 
 Followed followed_by(const Rpp<double>& dyad) {
   return {dyad.guide.body, dyad.guide.body};
+}
+
+Followed followed_by(const Cylinder<double>&) {
+  return {};
 }
 
 }  // namespace

@@ -24,6 +24,9 @@ struct OfDrive {
   void operator()(const FloatingLink<double>& link) const {
     all.insert(all.end(), {turning(1), sliding(2, link.first), sliding(3, link.second)});
   }
+  void operator()(const DrivingRod<double>&) const {
+    all.push_back({1, true, {1, {2, {0, 0}}, {1, 0}}});
+  }
 };
 
 /// Of a dyad's two bodies, whose numbers are next.
@@ -42,6 +45,7 @@ struct OfDyad {
   void operator()(const Rpp<double>& dyad) const {
     append({first, true, {first, {first + 1, {0, 0}}, dyad.slot}}, sliding(first + 1, dyad.guide));
   }
+  void operator()(const Cylinder<double>&) const { append(turning(first), turning(first + 1)); }
   void append(const Travel& of_first, const Travel& of_second) const {
     all.insert(all.end(), {of_first, of_second});
   }

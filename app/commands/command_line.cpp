@@ -74,9 +74,22 @@ void add_export_options(CLI::App& command, Arguments& arguments) {
   command.add_flag("--parts", texts.parts, "of a linkage: its links as flat parts to cut");
   add("--hole", texts.hole, "D", "of parts: diameter of the holes");
   add("--width", texts.width, "W", "of parts: width of the bars");
-  add("--thickness", texts.thickness, "T", "of parts: of the sheet, for the lengths of pins");
+  add("--thickness", texts.thickness, "T", "of parts: of the sheet; of solids of wheels");
   add("--clearance", texts.clearance, "C", "of parts: of pins in slots (default 0)");
   add("--gap", texts.gap, "G", "of parts: between them (default half the width)");
+  add("--sheet", texts.sheet, "WxH", "of parts: packed on sheets of this size");
+  add("--labels", texts.labels, "none|text|stroke", "of parts: names (default text)");
+  add("--bearing", texts.bearing, "NUMBER", "of parts: on pins, such as 608 or 619/5");
+  add("--washer", texts.washer, "T", "of parts: thickness of washers between layers");
+  add("--boss", texts.boss, "D", "of solid parts: bosses where pins cross layers");
+  command.add_flag("--spacers", texts.spacers, "of parts: rings for layers that pins cross");
+  command.add_flag("--bill", texts.bill, "of parts: also a bill of material, NAME.bill.csv");
+  add("--kerf", texts.kerf, "K", "of parts, gears, cams: width of a cut (default 0)");
+  add("--bore", texts.bore, "D", "of gears and cams; of a pair also D1,D2");
+  command.add_flag("--keyway", texts.keyway, "of a bore: a keyway of DIN 6885");
+  add("--hub", texts.hub, "D", "of gears and cams: a circle, of solids a boss");
+  add("--hub-length", texts.hub_length, "L", "of solids: of the wheel with its hub");
+  command.add_flag("--timing-mark", texts.timing_mark, "of a cam: a line at cam angle 0");
 }
 
 std::vector<std::string> kind_names() {

@@ -8,20 +8,11 @@
 #include <vector>
 
 #include "app/commands/command_tree.hpp"
+#include "problems/basics/enumeration.hpp"
 #include "problems/toml/nearest.hpp"
 
 namespace cognate::app {
 namespace {
-
-/// "solve, analyze and list".
-std::string enumeration(const std::vector<std::string>& words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 < words.size() ? ", " : " and ";
-    text += words[i];
-  }
-  return text;
-}
 
 std::vector<std::string> command_names(const CommandLine& line) {
   std::vector<std::string> names;
@@ -88,7 +79,7 @@ std::string refusal_of_extra(const CLI::App& command, const std::vector<std::str
 }  // namespace
 
 std::optional<std::string> refused_command(const CommandLine& line, std::span<char* const> words) {
-  const std::string available = enumeration(command_names(line));
+  const std::string available = problems::enumeration(command_names(line));
   if (words.size() < 2) {
     return fmt::format("a command is missing; available are {}; 'cognate --help' says more",
                        available);
@@ -114,7 +105,7 @@ std::string refusal_of(const CLI::ParseError& error, const CommandLine& line) {
   if (required && !extras.empty()) return refusal_of_extra(command, extras, help);
   if (called.empty() && required) {
     return fmt::format("a command is missing; available are {}; 'cognate --help' says more",
-                       enumeration(command_names(line)));
+                       problems::enumeration(command_names(line)));
   }
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
     const std::string_view what = error.what();

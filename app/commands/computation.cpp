@@ -1,7 +1,11 @@
 #include "app/commands/computation.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/console/interrupt.hpp"
 #include "app/console/messages.hpp"
@@ -10,6 +14,7 @@
 #include "app/documents/output_files.hpp"
 #include "app/documents/result_json.hpp"
 #include "app/study/cache_folder.hpp"
+#include "problems/basics/enumeration.hpp"
 
 namespace cognate::app {
 namespace {
@@ -36,13 +41,16 @@ std::optional<Outputs> outputs_of(const fs::path& file, const Options& options,
 problems::Status run(const Computation& computation, const Options& options) {
   const auto& interrupted = catch_interrupts();
   Progress progress(options.quiet, interrupted);
+  progress.enter(problems::to_string(problems::Phase::search), 1);
   return computation.run(
       {.seed = options.seed,
        .threads = options.threads,
        .time_limit = options.time_limit,
        .interrupted = &interrupted,
        .cache = cache_folder(),
-       .progress = [&](double share, double best) { progress.update(share, best); }});
+       .progress = [&](double share, double best) { progress.update(share, best); },
+       .phase = [&](problems::Phase begun,
+                    double to) { progress.enter(problems::to_string(begun), to); }});
 }
 
 FileResult write_outputs(const Outputs& outputs, const ordered_json& document,
@@ -57,12 +65,11 @@ FileResult write_outputs(const Outputs& outputs, const ordered_json& document,
 
 /// The paths as the user would write them: without a leading "./".
 std::string files_line(const Outputs& outputs) {
-  std::string line = "wrote ";
-  for (std::size_t i = 0; i < outputs.names.size(); ++i) {
-    if (i > 0) line += i + 1 < outputs.names.size() ? ", " : " and ";
-    line += printable((outputs.folder / outputs.names[i]).lexically_normal().string());
+  std::vector<std::string> files;
+  for (const auto& name : outputs.names) {
+    files.push_back(printable((outputs.folder / name).lexically_normal().string()));
   }
-  return line + '\n';
+  return fmt::format("wrote {}\n", problems::enumeration(files));
 }
 
 }  // namespace

@@ -122,7 +122,11 @@ inline constexpr const char* kExportTail =
   frame with holes for pins and slots for sliders, side by side on layers
   OUTLINES, HOLES, SLOTS and LABELS. The label says in which plane the part
   lies, from 1, so that links pass one another. Outlines are lines and true
-  arcs.
+  arcs. --kerf K moves what is drawn off the finished edge by half of it,
+  --labels stroke writes names in single strokes on ENGRAVE, --sheet 600x400
+  packs the parts on sheets with their edges on SHEETS, --bearing 608 gives
+  holes the outside diameter of a bearing, --bill writes NAME.bill.csv: plates,
+  pins, spacers, washers, bearings.
   Of a cam:
     NAME.dxf   a closed polyline on the layer PROFILE, PITCH or CUTTER, the base
                circle of the profile on BASE_CIRCLE, the prime circle of a
@@ -130,7 +134,8 @@ inline constexpr const char* kExportTail =
     NAME.svg   a picture with the same curves
     NAME.profile.csv   the points with cam angle, outward normal, curvature
                radius; of a groove or conjugate cams one file for each curve
-  NAME is followed by .pitch or .cutter for those curves.
+  NAME is followed by .pitch or .cutter for those curves. Drawings of cams and
+  gears have --bore D with its --keyway on BORE and --hub D on HUB.
   Of a gear or a gear pair:
     NAME.dxf   closed outlines on the layer OUTLINE, tip and root as true arcs;
                BASE_CIRCLE, PITCH_CIRCLE, TIP_CIRCLE, ROOT_CIRCLE and CENTRE
@@ -138,6 +143,9 @@ inline constexpr const char* kExportTail =
     NAME.csv   the points with their radius and the part that they are of; of a
                pair NAME.pinion.csv and NAME.wheel.csv
     NAME.gears.json  radii, places and outlines in one document
+  --boss D puts bosses on solid plates in place of --spacers.
+  As step and stl gears and cams are solids, too, with --thickness T and the hub
+  a boss of --hub-length L: NAME.step, NAME.pinion.stl; in millimetres.
   Lengths are those of the problem; drawings have no unit of length. Polygons
   are nowhere farther from their curve than the chord tolerance.
   With --row, from a study file NAME.study.db: NAME.ROW.toml, the base file of
@@ -147,10 +155,15 @@ Examples:
   cognate export press.result.json --format dxf --position 45
   cognate export press.result.json --format csv --steps 720
   cognate export press.result.json --format dxf --parts --hole 5 --width 14
+  cognate export press.result.json --format dxf --parts --bearing 608 \
+    --width 30 --thickness 6 --kerf 0.2 --labels stroke --sheet 600x400 --bill
   cognate export press.result.json --format dot && dot -Tsvg -O press.dot
   cognate export cam.result.json --format csv --curve pitch
   cognate export cam.result.json --format dxf --curve cutter --cutter-radius 6
   cognate export gears.result.json --format dxf --chord-tolerance 0.001
+  cognate export gears.result.json --format dxf --kerf 0.2 --bore 10,20 --keyway
+  cognate export press.result.json --format step --parts --hole 5 --width 14 \
+    --thickness 4 --position 45
   cognate export sizes.study.db --row 1234)";
 
 inline constexpr const char* kSketchFooter =

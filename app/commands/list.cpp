@@ -11,6 +11,7 @@
 #include "app/console/messages.hpp"
 #include "app/console/terminal.hpp"
 #include "app/documents/catalogue.hpp"
+#include "app/documents/layers_catalogue.hpp"
 #include "app/documents/mechanism_catalogue.hpp"
 #include "app/documents/tolerance_catalogue.hpp"
 #include "app/documents/version.hpp"
@@ -83,7 +84,7 @@ constexpr Entry kBounds[] = {
 namespace keys = problems::reading;
 
 constexpr auto kDesignConstraints =
-    entries_of(keys::kMobilityKeys, keys::kErrorKeys, keys::kPlaceLimitKeys);
+    entries_of(keys::kMobilityKeys, keys::kErrorKeys, keys::kPlaceLimitKeys, keys::kLayersMaxKeys);
 constexpr auto kMotionConstraints = entries_of(keys::kDefectKeys, keys::kLoopKeys);
 
 constexpr auto kConstraints = with_cycle_quantities(
@@ -124,7 +125,8 @@ constexpr KeyedEntry kCommon[] = {
     {"[[link]]", "for torques, speeds and powers over the turn, as is gravity = [x, y]", kLink},
     {"[[load]]", "likewise", kLoad},
     {"[warnings]", "from where on designs that meet every constraint are warned of", kWarnings},
-    {"[tolerance]", kToleranceMeaning, kToleranceEntries}};
+    {"[tolerance]", kToleranceMeaning, kToleranceEntries},
+    {"[layers]", problems::reading::kLayersMeaning, kLayersEntries}};
 
 constexpr Entry kHeadKeys[] = {
     {"title", "what tables, reports and drawings are called"},
@@ -150,12 +152,12 @@ std::span<const Entry> raster_entries() {
 std::span<const KeyedEntry> common_tables() {
   static const auto all = [] {
     std::vector<KeyedEntry> tables(std::begin(kCommon), std::end(kCommon));
-    tables.push_back({"[raster]",
-                      "dimensions that take single values only, the best of all combinations "
-                      "(paths of four-bars and chains, functions, motion generation by least "
-                      "squares, searches of "
-                      "straight lines, the smallest cams)",
-                      raster_entries()});
+    tables.push_back(
+        {"[raster]",
+         "dimensions that take single values only, the best of all combinations "
+         "(paths of four-bars and chains, functions, motion generation by least "
+         "squares, searches of straight lines, the smallest cams, quick returns, dwells)",
+         raster_entries()});
     return tables;
   }();
   return all;
@@ -258,7 +260,8 @@ std::vector<ListSection> metrics_of_kind() {
   std::vector<ListSection> all = listed(Kind<Problem>::metric_lists());
   if constexpr (designs_linkages<Problem>) {
     for (const MetricList& list : metric_lists()) {
-      if (list.key == "metrics" || list.key == "facts" || list.key == "tolerance_metrics") {
+      if (list.key == "metrics" || list.key == "facts" || list.key == "tolerance_metrics" ||
+          list.key == "layers_metrics") {
         all.push_back(list_section(list));
       }
     }

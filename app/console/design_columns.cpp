@@ -135,8 +135,7 @@ std::string assembly_text(const Design& design) {
 /// The crank's angle at the first target, of a driving slider its place.
 std::string first_drive_text(const Design& design) {
   if (design.crank_angles.empty()) return kNoValue;
-  const bool slides =
-      std::holds_alternative<DrivingSlider<double>>(design.mechanism.mechanism.drive);
+  const bool slides = driven_by_length(design.mechanism.mechanism.drive);
   const double at = design.crank_angles.front();
   return number(slides ? at : problems::degrees(at), 6);
 }

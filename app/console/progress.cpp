@@ -1,10 +1,11 @@
 #include "app/console/progress.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "app/console/interrupt.hpp"
 #include "app/console/terminal.hpp"
@@ -18,7 +19,8 @@ constexpr auto kBarDelay = 300ms;  // a run that is over by then needs no bar
 constexpr auto kBarPeriod = 100ms;
 constexpr auto kLinePeriod = 5s;
 constexpr int kLeastBar = 6, kGreatestBar = 24;  // cells: what the words leave of the line
-constexpr const char* kWipe = "\r\x1b[K";        // to the line's beginning, and erase to its end
+constexpr double kQuiet = 2;  // seconds without news after which the time that has passed is some
+constexpr const char* kWipe = "\r\x1b[K";  // to the line's beginning, and erase to its end
 
 double share_of(std::int64_t done, std::int64_t total) {
   return total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 0;
@@ -38,13 +40,20 @@ std::string progress_bar(double share, std::string_view words, int width) {
   return fmt::format("[{:#<{}}{:.<{}}] {}", "", cells, "", width - cells, figures(done, words));
 }
 
-std::string share_words(double share, std::optional<double> rate, std::string_view best) {
-  std::string text;
-  if (rate && *rate > 0) {
-    text = fmt::format("{} left, {} %/s", duration((1 - share) / *rate), rounded_rate(100 * *rate));
+std::string share_words(const RunPart& part, double share, std::optional<double> rate,
+                        double passed, std::string_view best) {
+  std::vector<std::string> words;
+  if (!part.words.empty()) words.push_back(part.words);
+  const bool is_known = std::isfinite(part.end);
+  if (is_known && rate && *rate > 0) {
+    const double left = std::max(0.0, part.end - share) / *rate;
+    words.push_back(fmt::format("{} left{}", duration(left), part.end < 1 ? " of it" : ""));
+    words.push_back(fmt::format("{} %/s", rounded_rate(100 * *rate)));
+  } else if (!is_known || passed >= kQuiet) {
+    words.push_back(fmt::format("{} so far", duration(passed)));
   }
-  if (best.empty()) return text;
-  return text + (text.empty() ? "" : ", ") + std::string(best);
+  if (!best.empty()) words.emplace_back(best);
+  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 std::string progress_words(std::int64_t done, std::int64_t total, double rate) {
@@ -91,6 +100,13 @@ void Progress::update(double share, double best) {
   rate_estimate_.mark(RateEstimate::Clock::now(), share_);
 }
 
+void Progress::enter(std::string_view words, double to) {
+  const std::lock_guard lock(mutex_);
+  const auto now = RateEstimate::Clock::now();
+  part_ = {std::string(words), to, now};
+  rate_estimate_ = RateEstimate(now, share_);  // the last part says nothing of this one
+}
+
 void Progress::update(std::int64_t done) {
   update(share_of(done, total_), std::numeric_limits<double>::infinity());
 }
@@ -109,8 +125,12 @@ void Progress::write_until_done() {
 
 std::string Progress::words() const {
   if (stopping_) return terminal_ ? "stopping; Ctrl-C ends at once" : "stopping";
-  const auto rate = rate_estimate_.rate(RateEstimate::Clock::now());
-  if (total_ == 0) return share_words(share_, rate, best_);
+  const auto now = RateEstimate::Clock::now();
+  const auto rate = rate_estimate_.rate(now);
+  if (total_ == 0) {
+    const double passed = std::chrono::duration<double>(now - part_.begun).count();
+    return share_words(part_, share_, rate, passed, best_);
+  }
   const auto total = static_cast<double>(total_);
   return progress_words(std::llround(share_ * total), total_, rate.value_or(0) * total);
 }

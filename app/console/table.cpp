@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/console/design_columns.hpp"
+#include "app/console/layers_table.hpp"
 #include "app/console/messages.hpp"
 #include "app/console/paint.hpp"
 #include "app/console/table_text.hpp"
@@ -69,6 +70,12 @@ std::string tolerances_text(std::span<const problems::Design> designs, const Scr
   return tolerance_table(*designs.front().tolerance, screen);
 }
 
+std::string layers_text(std::span<const problems::Design> designs, const Screen& screen) {
+  if (designs.empty() || !designs.front().layers) return {};
+  const auto& drive = designs.front().mechanism.mechanism.drive;
+  return layers_table(*designs.front().layers, driven_by_length(drive), screen);
+}
+
 /// Without a unit in the file lengths count as metres where powers, torques and inertias follow
 /// from them.
 Screen with_metres(Screen screen, std::span<const problems::Design> designs) {
@@ -89,7 +96,7 @@ std::string design_table(const std::string& heading, const ColumnChoice& choice,
                                                   : table_text(design_columns(designs, choice),
                                                                with_metres(screen, designs)),
                        .after = quantities_line(result) + tolerances_text(designs, screen) +
-                                certificate_line(result)},
+                                layers_text(designs, screen) + certificate_line(result)},
                       result, screen);
 }
 

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "app/console/messages.hpp"
+#include "problems/basics/enumeration.hpp"
 #include "problems/basics/length_unit.hpp"
 #include "problems/linkage/constraint_words.hpp"
 
@@ -30,11 +33,7 @@ std::string number_list(const std::vector<std::size_t>& numbers) {
       parts.push_back(fmt::format("{}", numbers[i++]));
     }
   }
-  std::string text = parts.front();
-  for (std::size_t i = 1; i < parts.size(); ++i) {
-    text += (i + 1 < parts.size() ? ", " : " and ") + parts[i];
-  }
-  return text;
+  return problems::enumeration(parts);
 }
 
 /// The name of a constraint, followed by its words where these say more.

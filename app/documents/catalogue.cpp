@@ -46,7 +46,7 @@ constexpr Metric kKindMetrics[] = {
     {"transmission_NAME_min_deg", "deg",
      "minimum of the transmission angle and its supplement of the dyad whose joint is NAME "
      "(chains)"},
-    {"topology", "", "topology of the chain of dyads, chosen among several (paths, dwells)"},
+    {"topology", "", "topology of the chain of dyads, chosen among several (paths, dwells, legs)"},
     {"crank_turns_fully", "", "whether the crank can turn through a whole turn"},
     {"output", "", "the output body of mechanisms other than four-bars"},
     {"output_swing_deg", "deg", "swing of the output in the range driven"},
@@ -55,9 +55,19 @@ constexpr Metric kKindMetrics[] = {
     {"circuit_stroke", "length", "stroke of the output on the whole circuit"},
     {"pressure_angle_max_deg", "deg", "maximum pressure angle of sliders and bars, unsigned"},
     {"swing_deg", "deg", "angle through which the output swings (quick returns, dwells)"},
+    {"outer_limit_deg, inner_limit_deg", "deg",
+     "the rocker's angle from A to D at its limits, crank and coupler extended and folded (quick "
+     "returns)"},
     {"half_band_deg", "deg", "maximum deviation of the output from its mid position in a dwell"},
     {"dwell_from_deg, dwell_2_from_deg", "deg", "crank angle at which a dwell begins"},
     {"apart_deg", "deg", "difference of the output's mid positions in two dwells"},
+    {"duty", "1", "share of the turn in which the foot stands, the duty factor (legs)"},
+    {"stride", "length", "extent of the foot's path along the ground in stance (legs)"},
+    {"step_height", "length", "extent of the foot's path across the ground over the turn (legs)"},
+    {"flatness", "1", "greatest height of the foot above the ground in stance over stride (legs)"},
+    {"foot_speed_min, foot_speed_max", "1",
+     "of the foot in stance over its mean speed; below 0 it steps back (legs)"},
+    {"stance_from_deg", "deg", "crank angle at which the stance begins (legs)"},
     {"stroke", "length",
      "distance through which the output slides (quick returns: over the full turn; functions by a "
      "slider-crank: over their motion)"},
@@ -99,10 +109,10 @@ constexpr Metric kKindMetrics[] = {
     {"speed_variation", "1", "(max - min)/mean of the speed along it at constant crank speed"},
     {"size_over_length", "1",
      "maximum dimension of a link, the coupler's with its point, over the straight length"},
-    {"nominal_error, quantile", "length",
-     "paths, solve.robust: root mean square error of the nominal design; quantile of the error "
-     "over manufactured copies"},
-    {"nominal_error_deg, quantile_deg", "deg", "likewise of functions"},
+    {"nominal_error, quantile, worst_case", "length",
+     "paths and poses, solve.robust: root mean square error of the nominal design; quantile of the "
+     "error over manufactured copies; the greatest within the tolerances"},
+    {"nominal_error_deg, quantile_deg, worst_case_deg", "deg", "likewise of functions"},
     {"straight_length_over_box", "1",
      "over the diagonal of the box, along the line, of both moving pivots over the segment"}};
 
@@ -142,11 +152,18 @@ constexpr Metric kQuantities[] = {
     {"raster_complete", "boolean", "whether all combinations are covered"},
     {"raster_proven", "boolean",
      "whether each combination was evaluated, or of cams is larger or excluded by a lower bound of "
-     "the base radius: none is better"},
+     "the base radius, of quick returns excluded by a bound of its error: none is better"},
     {"raster_error, raster_bound", "length or deg",
-     "root mean square error of the best design on the raster, of straight lines the deviation; "
-     "what a combination that is not "
-     "covered may have by the minima of its range (no proof unless raster_proven)"},
+     "root mean square error of the best design on the raster, of straight lines the deviation, of "
+     "dwells the half band; "
+     "what a combination that is not covered may have by the minima of its range (no proof unless "
+     "raster_proven)"},
+    {"raster_error_deg, continuous_error_deg, rounded_error_deg", "deg",
+     "four-bars and guide-bars of a quick return: the larger of the errors of theta and of the "
+     "swing, likewise"},
+    {"raster_error_relative, continuous_error_relative, rounded_error_relative", "1",
+     "slider-cranks and shapers of a quick return: the larger of the errors of theta in radians "
+     "and of the stroke over it, likewise"},
     {"raster_gap", "1", "|raster_error - raster_bound|/raster_error, likewise of length and size"},
     {"raster_length, continuous_length, rounded_length", "length",
      "straight lines of limited deviation: that of the segment, likewise"},
@@ -157,9 +174,11 @@ constexpr Metric kQuantities[] = {
      "of the optimum without a raster, and of that with each dimension rounded"},
     {"rounded_feasible", "boolean", "whether the latter meets every constraint"},
     {"robust_quantile, nominal_quantile", "length",
-     "paths, solve.robust: greatest error of that share of what is made of the robust design, of "
-     "the nominal optimum"},
+     "paths and poses, solve.robust: greatest error of that share of what is made of the robust "
+     "design, of the nominal optimum"},
     {"robust_quantile_deg, nominal_quantile_deg", "deg", "likewise of functions"},
+    {"robust_worst_case, nominal_worst_case, robust_worst_case_deg, nominal_worst_case_deg",
+     "length or deg", "solve.robust = \"worst\": greatest error within the tolerances, likewise"},
     {"robust_samples", "1", "by which these are judged"},
     {"starts", "1", "local searches of a global one"},
     {"target_length", "length", "of a closed target curve (paths)"},

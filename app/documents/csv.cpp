@@ -11,19 +11,6 @@ namespace {
 
 constexpr std::string_view kLineEnd = "\r\n";
 
-void append_text(std::string& line, std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
-    line += text;
-    return;
-  }
-  line += '"';
-  for (const char c : text) {
-    if (c == '"') line += '"';
-    line += c;
-  }
-  line += '"';
-}
-
 void append_number(std::string& line, double value) {
   if (!std::isfinite(value)) return;
   std::array<char, 32> digits{};
@@ -45,11 +32,21 @@ std::string heading(const problems::Column& column, std::string_view length) {
 
 }  // namespace
 
+std::string csv_cell(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string cell = "\"";
+  for (const char c : text) {
+    if (c == '"') cell += '"';
+    cell += c;
+  }
+  return cell + '"';
+}
+
 std::string csv_text(std::span<const problems::Column> columns, const CsvWords& words,
                      std::string_view length) {
   std::string text;
   const auto append_line = [&](std::string_view word, auto&& append_cell) {
-    append_text(text, word);
+    text += csv_cell(word);
     bool first = words.name.empty();
     for (const problems::Column& column : columns) {
       if (!first) text += ',';
@@ -59,7 +56,7 @@ std::string csv_text(std::span<const problems::Column> columns, const CsvWords& 
     text += kLineEnd;
   };
   append_line(words.name,
-              [&](const problems::Column& column) { append_text(text, heading(column, length)); });
+              [&](const problems::Column& column) { text += csv_cell(heading(column, length)); });
   const std::size_t rows = columns.empty() ? 0 : columns.front().values.size();
   for (std::size_t row = 0; row < rows; ++row) {
     append_line(words.name.empty() ? "" : words.cells[row],

@@ -10,6 +10,9 @@
 
 namespace cognate::app {
 
+/// A word as a cell: quoted where it holds a comma, a quote or a line break.
+std::string csv_cell(std::string_view text);
+
 /// A column of words that stands before all others; none where its name is empty.
 struct CsvWords {
   std::string name{};

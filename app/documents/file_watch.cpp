@@ -28,4 +28,8 @@ bool FileWatch::has_changed() {
   return true;
 }
 
+bool FileWatch::is_as_reported() const {
+  return file_stamp(file_) == reported_;
+}
+
 }  // namespace cognate::app

@@ -32,6 +32,9 @@ class FileWatch {
   /// Whether it has been saved since this last said so. To be called in even steps of time.
   bool has_changed();
 
+  /// Whether it still is as last reported: what was read since then is what that save wrote.
+  bool is_as_reported() const;
+
  private:
   std::filesystem::path file_;
   std::optional<FileStamp> reported_, seen_;

@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "app/documents/layers_catalogue.hpp"
 #include "app/documents/tolerance_catalogue.hpp"
-#include "problems/layers/keys.hpp"
 #include "problems/mechanism/mechanism_types.hpp"
 
 namespace cognate::app {
@@ -63,6 +63,13 @@ constexpr Entry kCrankTable[] = {{"at", "the pivot it turns about"},
                                  {"name", "of the body (default \"crank\")"}};
 constexpr Entry kSliderTable[] = {
     kSlide, {"pin", "name of its point"}, {"name", "of the body (default \"slider\")"}};
+constexpr Entry kCylinderTable[] = {
+    {"at", "the pivot of the cylinder"},
+    {"about", "the pivot of the link that it turns"},
+    {"pin", "name of the pin that joins the rod to the link"},
+    {"length", "of the link, from its pivot to the pin"},
+    {"assembly", "\"open\" (default): the pin to the left of at to about"},
+    {"names", "of rod, cylinder and link (default \"rod\", \"cylinder\", both ends of the link)"}};
 constexpr Entry kPointTable[] = {
     {"name", "of the point"},
     {"on", "a body, or two of its points: origin, and where the first axis points"},
@@ -81,9 +88,11 @@ constexpr Entry kLoadTable[] = {
     {"when", "\"always\" (default), \"advance\", \"return\", or [from_deg, to_deg] of the crank"},
     {"stroke", "[from, to], the part of the body's stroke in which it acts (0 to 1)"}};
 constexpr Entry kDriveTable[] = {
-    {"speed", "rad/s, or length/s of a slider (default 1); or speed_rpm, in turns a minute"},
-    {"acceleration", "rad/s2 (default 0)"},
-    {"start_deg, end_deg", "of the crank (default 0 and a turn more); start, end of a slider"},
+    {"speed",
+     "rad/s, or length/s of a slider or a cylinder (default 1); or speed_rpm, in turns a minute"},
+    {"acceleration", "rad/s2, or length/s2 (default 0)"},
+    {"start_deg, end_deg",
+     "of the crank (default 0 and a turn more); start, end of a slider or of a cylinder's length"},
     {"steps", "between them, both included (default 360)"}};
 constexpr Entry kOutputTable[] = {
     {"want", "a list of these quantities and of points"},
@@ -92,15 +101,16 @@ constexpr Entry kOutputTable[] = {
     {"instant_geometry", "bodies whose poles, inflection circles and Ball's points are computed"},
     {"curve", "length, area, widths... of a four-bar's coupler curve, as metrics (default false)"},
     {"cognates", "Roberts' cognates of a four-bar with a coupler point (default false)"},
+    {"foot", "point whose gait is measured: duty factor, stride, step height, flatness, speeds"},
+    {"duty", "its duty factor (default: the foot stands within 15 % of the step height)"},
     {"reactions, torque", "true by default where there are masses or loads"},
     {"points", "names of those to report (default: all that move)"}};
-
-constexpr auto kLayersTable = entries_of(problems::reading::kLayerKeys);
 
 constexpr KeyedEntry kAnalysisTables[] = {
     {"[[pivot]]", "of a chain: a point of the frame", kPivotTable},
     {"[crank]", "of a chain: what drives", kCrankTable},
     {"[slider]", "of a chain: what drives instead of a crank", kSliderTable},
+    {"[cylinder]", "of a chain: what drives by its length instead of a crank", kCylinderTable},
     {"[[point]]", "a further point of a body", kPointTable},
     {"[[link]]", "mass and inertia of a body", kLinkTable},
     {"[[load]]", "a force or a torque on a body", kLoadTable},
@@ -108,7 +118,7 @@ constexpr KeyedEntry kAnalysisTables[] = {
     {"[drive]", "how the crank, or the driving slider, moves", kDriveTable},
     {"[output]", "what is computed; the rest is skipped", kOutputTable},
     {"[tolerance]", kToleranceMeaning, kToleranceEntries},
-    {"[layers]", "in how many layers the links pass each other", kLayersTable}};
+    {"[layers]", problems::reading::kLayersMeaning, kLayersEntries}};
 
 }  // namespace
 

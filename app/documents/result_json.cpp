@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/documents/json_values.hpp"
+#include "app/documents/layers_json.hpp"
 #include "app/documents/tolerance_json.hpp"
 #include "app/documents/version.hpp"
 #include "problems/basics/names.hpp"
@@ -149,8 +150,7 @@ ordered_json mechanism_json(const problems::NamedMechanism& mechanism) {
 
 ordered_json design_json(const problems::Design& design, bool angular) {
   ordered_json table = {{"mechanism", mechanism_json(design.mechanism)}};
-  const bool slides =
-      std::holds_alternative<DrivingSlider<double>>(design.mechanism.mechanism.drive);
+  const bool slides = driven_by_length(design.mechanism.mechanism.drive);
   auto& stations = table[slides ? "slide" : "crank_deg"] = ordered_json::array();
   for (const double at : design.crank_angles) stations.push_back(slides ? at : degrees(at));
   table["error"] = error_json(design.error, angular);
@@ -166,6 +166,7 @@ ordered_json design_json(const problems::Design& design, bool angular) {
   if (design.twin_of) table["twin_of"] = *design.twin_of;
   if (!design.differs.empty()) table["differs"] = design.differs;
   if (design.tolerance) table["tolerance"] = tolerance_json(*design.tolerance);
+  if (design.layers) table["layers"] = layers_json(*design.layers, slides);
   return table;
 }
 

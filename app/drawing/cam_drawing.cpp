@@ -29,7 +29,9 @@ bool add_curves(const CamProblem& problem, const cam::Cam& cam, const std::strin
                 bool half_turn, const CamDrawingOptions& options, CamDrawing& drawing) {
   for (auto& [wall, distance] :
        parallel_curves(problem, cam, options.kind, options.cutter_radius)) {
-    const cam::CamCurve curve{cam.system, cam.programme, distance};
+    // The beam is outside the material, which is outside an outer wall.
+    const double beam = wall == kOuterWall ? -0.5 * options.kerf : 0.5 * options.kerf;
+    const cam::CamCurve curve{cam.system, cam.programme, distance + beam};
     const auto& dimensions = cam.system.follower.dimensions;
     const double prime = dimensions.base_radius, roller = dimensions.roller_radius;
     CamOutline outline{name.empty() ? wall : name,
@@ -54,7 +56,7 @@ std::vector<ParallelCurve> parallel_curves(const CamProblem& problem, const cam:
   if (kind == CamCurveKind::pitch) return {{"", 0}};
   const double inside = kind == CamCurveKind::cutter ? cutter_radius - roller : -roller;
   if (!groove || inside == 0) return {{"", inside}};
-  return {{"inner-wall", inside}, {"outer-wall", -inside}};
+  return {{"inner-wall", inside}, {kOuterWall, -inside}};
 }
 
 std::optional<CamDrawing> cam_drawing(const CamProblem& problem, const CamDesign& design,

@@ -14,6 +14,9 @@ namespace cognate::app {
 /// The profile, the path of the roller's centre, or that of the centre of a cutter.
 enum class CamCurveKind { profile, pitch, cutter };
 
+/// The wall of a groove that lies about the roller's path; material is outside it.
+inline constexpr const char* kOuterWall = "outer-wall";
+
 /// A curve parallel to the pitch curve (of a flat face: to the profile).
 struct ParallelCurve {
   std::string name;  ///< "inner-wall" or "outer-wall" of a groove; empty where it is the only one
@@ -48,6 +51,7 @@ struct CamDrawingOptions {
   CamCurveKind kind = CamCurveKind::profile;
   double cutter_radius = 0;  ///< where `kind` is cutter
   double chord_tolerance = 0;
+  double kerf = 0;  ///< of a profile: width of the beam whose middle runs along what is drawn
 };
 
 /// Points that a curve of a drawing has at most.

@@ -1,6 +1,7 @@
 /// @file A linkage that is to be drawn.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "problems/evaluation/problem.hpp"
@@ -14,11 +15,12 @@ struct LinkageScene {
   bool beyond = false;                ///< whether the drive goes a hair beyond what is assembled
   std::vector<double> stations;       ///< drive coordinates at the targets, where it has any
   std::vector<Vec2d> targets;         ///< points that it was to reach; of poses their origins
+  std::optional<problems::LayerSizes> layers{};  ///< sizes of parts that the file gives
 };
 
 /// Whether a displacement drives the linkage rather than an angle.
 inline bool is_driven_by_slider(const LinkageScene& scene) {
-  return std::holds_alternative<DrivingSlider<double>>(scene.problem.mechanism.mechanism.drive);
+  return driven_by_length(scene.problem.mechanism.mechanism.drive);
 }
 
 }  // namespace cognate::app

@@ -126,7 +126,23 @@ class ShapeBuilder {
     add_guide(link.second, 3);
   }
 
+  /// The cylinder reaches almost to where the rod's pin comes nearest, the rod from its pin into
+  /// the cylinder.
+  void add_drive(const DrivingRod<double>&) {
+    constexpr double kCylinder = 0.9, kWithin = 0.85, kRod = 0.95;
+    std::optional<double> least, greatest;
+    for (std::size_t k = 0; k < poses_.size(); ++k) {
+      if (!std::isfinite(track(1).x[k])) continue;
+      least = std::min(least.value_or(poses_.drive[k]), poses_.drive[k]);
+      greatest = std::max(greatest.value_or(poses_.drive[k]), poses_.drive[k]);
+    }
+    if (!least) return;
+    add_point(2, {kCylinder * *least, 0});
+    add_point(1, {-std::min(kRod * *least, *greatest - kWithin * *least), 0});
+  }
+
   void add_dyad(const Rrr<double>&, int) {}
+  void add_dyad(const Cylinder<double>&, int) {}
   void add_dyad(const Rrp<double>& dyad, int n) { add_guide(dyad.guide, n + 1); }
   void add_dyad(const Prp<double>& dyad, int n) {
     add_guide(dyad.first, n);

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 
 #include "app/documents/csv.hpp"
 #include "app/drawing/cam_drawing.hpp"
 #include "app/drawing/plan.hpp"
+#include "app/export/cam_centre.hpp"
+#include "app/export/export_solids.hpp"
 #include "app/export/exported.hpp"
 #include "app/export/svg.hpp"
 #include "problems/basics/degrees.hpp"
@@ -108,19 +111,34 @@ constexpr double kDefaultCamTolerance = 1e-4;  // of the base radius
 constexpr double kLeastCamTolerance = 1e-9;    // as many points as can be handled
 constexpr double kGreatestCutter = 1e6;        // of the base radius
 
+/// What cuts: an option whose value is `times` the radius of the cutter or of the beam.
+struct Cutting {
+  const char* option;
+  double value = 0;
+  double times = 1;
+};
+
 /// Why a cutter cannot cut `cam`; empty where it can.
-Refusal gouging(const problems::CamProblem& problem, const cam::Cam& cam, double cutter) {
+Refusal gouging(const problems::CamProblem& problem, const cam::Cam& cam, const Cutting& cutting) {
+  const auto& [option, value, times] = cutting;
   const double roller = cam.system.follower.dimensions.roller_radius;
-  if (problem.second.closure == cam::Closure::groove && cutter > roller) {
-    return fmt::format("--cutter-radius: {} does not fit into the groove; allowed is at most {}",
-                       cutter, roller);
+  if (problem.second.closure == cam::Closure::groove && value > times * roller) {
+    return fmt::format("{}: {} does not fit into the groove; allowed is at most {}", option, value,
+                       times * roller);
   }
   const auto hollow = problems::CamExtremes(cam).concave_radius();
-  if (!hollow || cutter <= hollow->value) return std::nullopt;
+  if (!hollow || value <= times * hollow->value) return std::nullopt;
   return fmt::format(
-      "--cutter-radius: {} would gouge the profile, whose least concave radius is {:.6g}, at "
-      "{:.4g} deg of the cam; allowed is at most that",
-      cutter, hollow->value, problems::degrees(hollow->angle));
+      "{}: {} would gouge the profile, whose least concave radius is {:.6g}, at {:.4g} deg of the "
+      "cam; allowed is at most {}",
+      option, value, hollow->value, problems::degrees(hollow->angle),
+      times == 1 ? "that" : "twice that");
+}
+
+Refusal gouging(const ResultCam& given, const Cutting& cutting) {
+  auto why = gouging(given.problem, given.design.cam, cutting);
+  if (!why && given.design.second) why = gouging(given.problem, *given.design.second, cutting);
+  return why;
 }
 
 /// Why the drawing is not possible for this cam; empty where it is.
@@ -137,17 +155,17 @@ Refusal refused_cam(const ResultCam& given, const CamDrawingOptions& wanted) {
         "{:.3g} to {:.6g}",
         tolerance, size, kLeastCamTolerance * size, size);
   }
+  if (wanted.kerf > 0 && wanted.kind != CamCurveKind::profile) {
+    return "--kerf: is that of a profile; expected --curve profile with it";
+  }
+  if (wanted.kerf > 0) return gouging(given, {"--kerf", wanted.kerf, 2});
   if (wanted.kind != CamCurveKind::cutter) return std::nullopt;
   if (wanted.cutter_radius > kGreatestCutter * size) {
     return fmt::format(
         "--cutter-radius: {} is too large for a base radius of {}; allowed is at most {:.6g}",
         wanted.cutter_radius, size, kGreatestCutter * size);
   }
-  auto why = gouging(given.problem, given.design.cam, wanted.cutter_radius);
-  if (!why && given.design.second) {
-    why = gouging(given.problem, *given.design.second, wanted.cutter_radius);
-  }
-  return why;
+  return gouging(given, {"--cutter-radius", wanted.cutter_radius});
 }
 
 /// The drawing of the cam; the error says which option is not possible and what is allowed.
@@ -155,7 +173,8 @@ tl::expected<CamDrawing, std::string> drawing_of(const ResultCam& given,
                                                  const ExportOptions& wanted) {
   const double size = given.design.cam.system.follower.dimensions.base_radius;
   const CamDrawingOptions options{wanted.curve, wanted.cutter_radius.value_or(0),
-                                  wanted.chord_tolerance.value_or(kDefaultCamTolerance * size)};
+                                  wanted.chord_tolerance.value_or(kDefaultCamTolerance * size),
+                                  wanted.kerf};
   if (const auto why = refused_cam(given, options)) return tl::unexpected(*why);
   if (auto drawing = cam_drawing(given.problem, given.design, options)) return *std::move(drawing);
   return tl::unexpected(
@@ -170,13 +189,19 @@ std::string named_after_curve(std::string name, CamCurveKind curve) {
   return name;
 }
 
-std::vector<ExportedFile> files_of(const CamDrawing& drawing, const problems::CamProblem& problem,
-                                   const ExportOptions& wanted, const std::string& stem) {
-  if (wanted.format == ExportFormat::dxf) {
-    return {{stem + ".dxf", dxf_text(cam_plan(drawing, problem), wanted.version)}};
-  }
-  if (wanted.format == ExportFormat::svg) {
-    return {{stem + ".svg", svg_text(cam_plan(drawing, problem))}};
+using Files = tl::expected<std::vector<ExportedFile>, std::string>;
+
+Files files_of(const CamDrawing& drawing, const problems::CamProblem& problem,
+               const ExportOptions& wanted, const std::string& stem) {
+  if (declaration(wanted.format).is_drawn()) {
+    Plan plan = cam_plan(drawing, problem);
+    if (const auto done = add_cam_centre(drawing, wanted, problem.length_unit, plan); !done) {
+      return tl::unexpected(done.error());
+    }
+    const std::string text =
+        wanted.format == ExportFormat::dxf ? dxf_text(plan, wanted.version) : svg_text(plan);
+    return std::vector<ExportedFile>{
+        {fmt::format("{}.{}", stem, declaration(wanted.format).word), text}};
   }
   // NAME.csv is the table of the cam over its turn.
   const std::string only = wanted.curve == CamCurveKind::profile ? ".profile" : "";
@@ -204,6 +229,44 @@ std::size_t point_count(const CamDrawing& drawing) {
   return count;
 }
 
+/// Why there is no solid of the cam; empty where there is one.
+Refusal refused_solid(const ResultCam& given, const ExportOptions& wanted) {
+  if (wanted.curve != CamCurveKind::profile) {
+    return "--curve: a solid is that of a profile; expected --curve profile with it";
+  }
+  if (given.problem.second.closure == cam::Closure::groove) {
+    return "--format: no solids are made of grooves; allowed is dxf for their walls";
+  }
+  return std::nullopt;
+}
+
+/// The cam, or the cams of a conjugate pair one on the other.
+tl::expected<Exported, std::string> cam_solids(const ResultCam& given, const CamDrawing& drawing,
+                                               const ExportOptions& wanted,
+                                               const std::string& stem) {
+  if (const auto why = refused_solid(given, wanted)) return tl::unexpected(*why);
+  const auto& problem = given.problem;
+  const auto bore = cam_bore(drawing, wanted, problem.length_unit);
+  if (!bore) return tl::unexpected(bore.error());
+  SolidAssembly assembly =
+      empty_assembly(problem.title.empty() ? stem : problem.title, problem.length_unit);
+  for (const CamOutline& curve : drawing.curves) {
+    WheelSolid wheel{.name = curve.name.empty() ? "cam" : curve.name,
+                     .outline = {outline_of(curve, "").corners},
+                     .bore = *bore};
+    wheel.low = static_cast<double>(assembly.solids.size()) * wanted.thickness.value_or(0);
+    // One hub, on the uppermost.
+    if (assembly.solids.size() + 1 < drawing.curves.size()) wheel.bore.hub = 0;
+    auto solid = wheel_solid(wheel, wanted);
+    if (!solid) return tl::unexpected(solid.error());
+    assembly.solids.push_back(*std::move(solid));
+  }
+  assembly.chord_tolerance = drawing.chord_tolerance;
+  auto made = export_solids(assembly, wanted, stem);
+  if (made && !problem.length_unit) made->notes.emplace_back(kMillimetresAssumed);
+  return made;
+}
+
 }  // namespace
 
 tl::expected<Exported, std::string> export_cam(const ResultCam& given, const ExportOptions& wanted,
@@ -212,17 +275,24 @@ tl::expected<Exported, std::string> export_cam(const ResultCam& given, const Exp
     return tl::unexpected(refused_format(&FormatDeclaration::of_cams, "a cam"));
   }
   if (!wanted.of_linkages.empty()) {
-    return tl::unexpected(wanted.of_linkages +
-                          ": is for linkages; of a cam --curve and --cutter-radius are allowed");
+    return tl::unexpected(
+        wanted.of_linkages +
+        ": is for linkages; of a cam --curve, --cutter-radius, --kerf, --bore, --keyway, "
+        "--hub, --hub-length, --thickness and --timing-mark are allowed");
   }
   const auto drawing = drawing_of(given, wanted);
   if (!drawing) return tl::unexpected(drawing.error());
+  if (declaration(wanted.format).is_solid()) return cam_solids(given, *drawing, wanted, stem);
+  auto files = files_of(*drawing, given.problem, wanted, named_after_curve(stem, wanted.curve));
+  if (!files) return tl::unexpected(files.error());
   const std::size_t points = point_count(*drawing);
-  return Exported{files_of(*drawing, given.problem, wanted, named_after_curve(stem, wanted.curve)),
-                  notes_of(*drawing),
+  nlohmann::ordered_json quantities = {{"points", points},
+                                       {"chord_tolerance", drawing->chord_tolerance}};
+  if (wanted.kerf > 0) quantities["kerf"] = wanted.kerf;
+  return Exported{*std::move(files), notes_of(*drawing),
                   fmt::format("{} points, nowhere farther than {:.3g} from the curve", points,
                               drawing->chord_tolerance),
-                  {{"points", points}, {"chord_tolerance", drawing->chord_tolerance}}};
+                  std::move(quantities)};
 }
 
 }  // namespace cognate::app

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -7,7 +8,9 @@
 #include "app/documents/result_json.hpp"
 #include "app/drawing/gear_plan.hpp"
 #include "app/export/dxf.hpp"
+#include "app/export/export_solids.hpp"
 #include "app/export/exported.hpp"
+#include "app/export/gear_sheet.hpp"
 #include "app/export/svg.hpp"
 #include "problems/basics/degrees.hpp"
 
@@ -97,45 +100,98 @@ ordered_json gear_entry(const GearOutline& drawn) {
   return entry;
 }
 
+/// Corners with the bulges of DXF.
+ordered_json corners_json(const PlanOutline& outline) {
+  ordered_json corners = ordered_json::array();
+  for (const auto& [at, bulge] : outline.corners) corners.push_back({at.x, at.y, bulge});
+  return corners;
+}
+
 /// The document `cognate-gears/1`.
-std::string gears_document(const ResultGears& given, const std::vector<GearOutline>& outlines,
-                           double tolerance) {
+std::string gears_document(const ResultGears& given, const GearSheet& sheet, double tolerance) {
   ordered_json document = {{"format", "cognate-gears/1"},
                            {"title", given.title},
                            {"gearing", given.gearing},
                            {"chord_tolerance", tolerance},
                            {"gears", ordered_json::array()}};
   if (given.length_unit) document["length_unit"] = to_string(*given.length_unit);
-  for (const auto& outline : outlines) document["gears"].push_back(gear_entry(outline));
+  if (sheet.kerf > 0) document["kerf"] = sheet.kerf;
+  for (std::size_t i = 0; i < sheet.outlines.size(); ++i) {
+    ordered_json entry = gear_entry(sheet.outlines[i]);
+    if (const auto bore = bore_json(sheet.bores[i]); !bore.empty()) entry.update(bore);
+    if (sheet.kerf > 0) entry["cut_outline"] = corners_json(sheet.plan.outlines[sheet.cuts[i]]);
+    document["gears"].push_back(std::move(entry));
+  }
   return write_json(document);
 }
 
-Plan plan_of(const ResultGears& given, const std::vector<GearOutline>& outlines) {
-  Plan plan = gear_plan(outlines, given.title);
-  plan.length_unit = given.length_unit;
-  return plan;
-}
-
-std::vector<ExportedFile> files_of(const ResultGears& given,
-                                   const std::vector<GearOutline>& outlines, double tolerance,
-                                   const ExportOptions& wanted, const std::string& stem) {
+std::vector<ExportedFile> files_of(const ResultGears& given, const GearSheet& sheet,
+                                   double tolerance, const ExportOptions& wanted,
+                                   const std::string& stem) {
   switch (wanted.format) {
     case ExportFormat::dxf:
-      return {{stem + ".dxf", dxf_text(plan_of(given, outlines), wanted.version)}};
+      return {{stem + ".dxf", dxf_text(sheet.plan, wanted.version)}};
     case ExportFormat::svg:
-      return {{stem + ".svg", svg_text(plan_of(given, outlines))}};
+      return {{stem + ".svg", svg_text(sheet.plan)}};
     case ExportFormat::json:
-      return {{stem + ".gears.json", gears_document(given, outlines, tolerance)}};
+      return {{stem + ".gears.json", gears_document(given, sheet, tolerance)}};
     default:
       break;
   }
   std::vector<ExportedFile> files;
-  for (const auto& outline : outlines) {
+  for (const auto& outline : sheet.outlines) {
     std::string name = stem;
     if (!outline.gear.name.empty()) name.append(".").append(outline.gear.name);
     files.push_back({name.append(".csv"), outline_csv(outline, length_word(given.length_unit))});
   }
   return files;
+}
+
+constexpr double kRingRim = 2;  // modules outside the roots
+
+WheelSolid wheel_of(const GearOutline& drawn, const PlanOutline& outline, const WheelBore& bore) {
+  const GearPose& gear = drawn.gear;
+  const Vec2d centre = gear.rack ? Vec2d{} : gear.centre;
+  SolidLoop loop{outline.corners};
+  for (PlanCorner& corner : loop.corners) corner.at = corner.at - centre;
+  WheelSolid wheel{.name = gear.name.empty() ? "gear" : gear.name,
+                   .outline = loop,
+                   .centre = centre,
+                   .direction = {std::cos(gear.angle), std::sin(gear.angle)},
+                   .bore = bore};
+  if (gear.ring) {
+    const double rim = kRingRim * gear.section.module;
+    wheel.outline = circle_loop({}, gear::root_radius(*gear.ring) + rim);
+    wheel.hollow = loop;
+  }
+  return wheel;
+}
+
+tl::expected<Exported, std::string> gear_solids(const ResultGears& given, const GearSheet& sheet,
+                                                const ExportOptions& wanted,
+                                                const std::string& stem, double tolerance) {
+  if (given.gearing == "helical") {
+    return tl::unexpected(
+        std::string("--format: no solids are made of helical teeth; allowed are spur gears, or dxf "
+                    "for the transverse section"));
+  }
+  SolidAssembly assembly =
+      empty_assembly(given.title.empty() ? stem : given.title, given.length_unit);
+  assembly.chord_tolerance = tolerance;
+  for (std::size_t i = 0; i < sheet.outlines.size(); ++i) {
+    auto solid = wheel_solid(
+        wheel_of(sheet.outlines[i], sheet.plan.outlines[sheet.cuts[i]], sheet.bores[i]), wanted);
+    if (!solid) return tl::unexpected(solid.error());
+    assembly.solids.push_back(*std::move(solid));
+  }
+  auto made = export_solids(assembly, wanted, stem);
+  if (!made) return made;
+  made->notes = given.notes;
+  if (!given.length_unit) made->notes.emplace_back(kMillimetresAssumed);
+  if (given.gears.back().ring) {
+    made->notes.emplace_back("the rim of the ring is two modules thick");
+  }
+  return made;
 }
 
 }  // namespace
@@ -150,22 +206,25 @@ tl::expected<Exported, std::string> export_gears(const ResultGears& given,
        {std::pair(&wanted.of_linkages, "linkages"), std::pair(&wanted.of_cams, "cams")}) {
     if (option->empty()) continue;
     return tl::unexpected(fmt::format(
-        "{}: is for {}; of gears --design, --chord-tolerance and --dxf-version are allowed",
+        "{}: is for {}; of gears --design, --chord-tolerance, --dxf-version, --kerf, --bore, "
+        "--keyway, --hub, --hub-length and --thickness are allowed",
         *option, of));
   }
   const auto tolerance = tolerance_of(given, wanted);
   if (!tolerance) return tl::unexpected(tolerance.error());
-  std::vector<GearOutline> outlines;
-  std::size_t points = 0;
-  for (const auto& gear : given.gears) {
-    outlines.push_back(gear_outline(gear, *tolerance));
-    points += outlines.back().points.size();
+  const auto sheet = gear_sheet(given, wanted.kerf, wanted.wheel, *tolerance);
+  if (!sheet) return tl::unexpected(sheet.error());
+  if (declaration(wanted.format).is_solid()) {
+    return gear_solids(given, *sheet, wanted, stem, *tolerance);
   }
+  std::size_t points = 0;
+  for (const auto& outline : sheet->outlines) points += outline.points.size();
+  ordered_json quantities = {{"points", points}, {"chord_tolerance", *tolerance}};
+  if (wanted.kerf > 0) quantities["kerf"] = wanted.kerf;
   return Exported{
-      files_of(given, outlines, *tolerance, wanted, stem),
-      given.notes,
+      files_of(given, *sheet, *tolerance, wanted, stem), given.notes,
       fmt::format("{} points, nowhere farther than {:.3g} from the curve", points, *tolerance),
-      {{"points", points}, {"chord_tolerance", *tolerance}}};
+      std::move(quantities)};
 }
 
 }  // namespace cognate::app

@@ -10,14 +10,12 @@
 #include "analysis/mechanism/followed_motion.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "app/documents/csv.hpp"
-#include "app/documents/json_values.hpp"
-#include "app/documents/result_json.hpp"
 #include "app/drawing/link_shapes.hpp"
 #include "app/drawing/linkage_plan.hpp"
 #include "app/drawing/linkage_scene.hpp"
+#include "app/export/export_parts.hpp"
 #include "app/export/exported.hpp"
 #include "app/export/linkage_json.hpp"
-#include "app/export/svg.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/evaluation/drive_rows.hpp"
@@ -109,25 +107,6 @@ using Result = tl::expected<Exported, std::string>;
 constexpr double kDefaultTolerance = 1e-4;  // of the linkage's size
 constexpr double kLeastTolerance = 1e-9;
 
-/// The text of a drawing; an error where numbers beyond all measure are in it.
-tl::expected<std::string, std::string> drawn(Plan plan, const LinkageScene& linkage,
-                                             const ExportOptions& wanted) {
-  plan.length_unit = linkage.problem.length_unit;
-  if (!std::isfinite(norm(plan.high - plan.low))) {
-    return tl::unexpected(
-        std::string("the linkage is too large to be drawn; lengths up to 1e100 are allowed"));
-  }
-  return wanted.format == ExportFormat::svg ? svg_text(plan) : dxf_text(plan, wanted.version);
-}
-
-tl::expected<std::string, std::string> written(const ordered_json& document) {
-  if (find_non_finite(document)) {
-    return tl::unexpected(
-        std::string("the linkage is too large to be written; lengths up to 1e100 are allowed"));
-  }
-  return write_json(document);
-}
-
 class LinkageExporter {
  public:
   LinkageExporter(const LinkageScene& linkage, const ExportOptions& wanted, std::string stem,
@@ -147,10 +126,26 @@ class LinkageExporter {
                             ": is for cams; of a linkage --position, --steps and "
                             "--parts are allowed");
     }
+    if (!wanted_.of_wheels.empty()) {
+      return tl::unexpected(wanted_.of_wheels +
+                            ": is for gears and cams; of a linkage --position, --steps and --parts "
+                            "are allowed");
+    }
+    if (wanted_.kerf > 0 && !wanted_.parts) {
+      return tl::unexpected(
+          std::string("--kerf: of a linkage only parts are cut; expected --parts with it"));
+    }
+    if (declaration(wanted_.format).is_solid() && !wanted_.parts) {
+      return tl::unexpected(
+          std::string("--format: solids of a linkage are those of its parts; expected --parts "
+                      "--hole D --width W --thickness T with it"));
+    }
     if (const auto idle = idle_tolerance()) return tl::unexpected(*idle);
     const auto drive = drive_position(linkage_, wanted_.position, motion_);
     if (!drive) return tl::unexpected(unplaced());
-    if (wanted_.parts) return parts();
+    if (wanted_.parts) {
+      return export_parts({linkage_, shown_, motion_.bodies()}, wanted_, stem_, options_);
+    }
     if (wanted_.format == ExportFormat::csv) return table();
     if (wanted_.format == ExportFormat::dot) return sketch();
     return drawing(shown_drive(linkage_, *drive));
@@ -159,7 +154,8 @@ class LinkageExporter {
  private:
   /// Why a tolerance that is given has nothing to do.
   std::optional<std::string> idle_tolerance() const {
-    const bool has_paths = !wanted_.parts && declaration(wanted_.format).is_drawn();
+    const bool has_paths = (!wanted_.parts && declaration(wanted_.format).is_drawn()) ||
+                           wanted_.format == ExportFormat::stl;
     if (has_paths || !wanted_.chord_tolerance) return std::nullopt;
     return fmt::format(
         "--chord-tolerance: is that of the paths of a linkage; expected --format {} without "
@@ -198,8 +194,7 @@ class LinkageExporter {
   Result file(tl::expected<std::string, std::string> text, std::string summary,
               ordered_json quantities = ordered_json::object()) {
     if (!text) return tl::unexpected(text.error());
-    const std::string name = fmt::format("{}{}.{}", stem_, wanted_.parts ? ".parts" : "",
-                                         declaration(wanted_.format).word);
+    const std::string name = fmt::format("{}.{}", stem_, declaration(wanted_.format).word);
     return Exported{{{name, *std::move(text)}}, notes_, std::move(summary), std::move(quantities)};
   }
 
@@ -207,7 +202,7 @@ class LinkageExporter {
   void pull_in_drive() {
     const AssemblyRanges& ranges = motion_.assembly_ranges();
     if (!linkage_.beyond || ranges.runs.empty()) return;
-    const DriveSpan span = inside_longest(ranges);
+    const problems::DriveSpan span = inside_longest(ranges);
     linkage_.problem.drive.start = span.from;
     linkage_.problem.drive.end = span.to;
   }
@@ -260,36 +255,14 @@ class LinkageExporter {
                                           is_driven_by_slider(linkage_) ? "" : " deg");
     const ordered_json quantities = {{"position", drive}, {"chord_tolerance", *chord}};
     if (wanted_.format != ExportFormat::json) {
-      return file(
-          drawn(linkage_plan(linkage_, shown_, motion_.bodies(), *paths), linkage_, wanted_), where,
-          quantities);
+      return file(drawn_text(linkage_plan(linkage_, shown_, motion_.bodies(), *paths),
+                             linkage_.problem.length_unit, wanted_),
+                  where, quantities);
     }
     ordered_json document = {{"format", "cognate-linkage/1"}};
     document.update(linkage_json(linkage_, shown_, motion_.bodies(), drive, *paths));
     document["positions"] = columns_json(positions().columns);
-    return file(written(document), where, quantities);
-  }
-
-  Result parts() {
-    const PartOrder& order = *wanted_.parts;
-    const auto made = link_parts(shown_, order);
-    if (!made) return tl::unexpected(made.error());
-    const auto layers = part_layers(shown_, *made, order);
-    auto sheet = part_sheet(*made, layers, order);
-    if (!linkage_.problem.title.empty()) sheet.plan.title = linkage_.problem.title + ": parts";
-    notes_ = made->notes;
-    notes_.insert(notes_.end(), layers.notes.begin(), layers.notes.end());
-    const ordered_json told = parts_json({*made, layers, sheet, order});
-    std::string summary = fmt::format("{} parts in {} layers", made->parts.size(), layers.count);
-    if (order.thickness) {
-      summary += fmt::format(", {:.6g} high", layers.count * *order.thickness);
-    }
-    if (wanted_.format != ExportFormat::json) {
-      return file(drawn(sheet.plan, linkage_, wanted_), summary, {{"sheet", told}});
-    }
-    ordered_json document = {{"format", "cognate-parts/1"}};
-    document.update(told);
-    return file(written(document), summary);
+    return file(document_text(document), where, quantities);
   }
 
   LinkageScene linkage_;

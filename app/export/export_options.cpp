@@ -4,76 +4,26 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <tuple>
 #include <utility>
 
-#include "app/console/option_text.hpp"
+#include "app/export/option_values.hpp"
 
 namespace cognate::app {
 namespace {
 
 using Text = std::optional<std::string>;
 
-tl::expected<ExportFormat, std::string> parse_format(std::string_view text) {
-  const auto found = std::ranges::find(kExportFormats, text, &FormatDeclaration::word);
-  if (found != kExportFormats.end()) return found->id;
-  const auto of_cams = [](const auto& format) { return format.of_cams; };
-  const auto of_no_cams = [](const auto& format) { return format.of_gears && !format.of_cams; };
-  const auto of_linkages = [](const auto& format) { return !format.of_gears && !format.of_cams; };
-  return refusal("--format", text,
-                 fmt::format("{}, of gears and linkages also {}, of linkages also {}",
-                             format_words(of_cams, " or "), format_words(of_no_cams, " and "),
-                             format_words(of_linkages, " and ")));
-}
-
 std::string drawn_formats() {
   return format_words([](const auto& format) { return format.is_drawn(); }, " or ");
 }
 
+std::string solid_formats() {
+  return format_words([](const auto& format) { return format.is_solid(); }, " or ");
+}
+
 std::string tabled_formats() {
   return format_words([](const auto& format) { return format.is_tabled(); }, " or ");
-}
-
-tl::expected<DxfVersion, std::string> parse_version(std::string_view text) {
-  if (text == "r12") return DxfVersion::r12;
-  if (text == "2000") return DxfVersion::r2000;
-  return refusal("--dxf-version", text, "r12 or 2000");
-}
-
-tl::expected<CamCurveKind, std::string> parse_curve(std::string_view text) {
-  if (text == "profile") return CamCurveKind::profile;
-  if (text == "pitch") return CamCurveKind::pitch;
-  if (text == "cutter") return CamCurveKind::cutter;
-  return refusal("--curve", text, "profile, pitch or cutter");
-}
-
-/// A whole number from 1 to `most`.
-tl::expected<int, std::string> parse_count(std::string_view option, std::string_view text,
-                                           int most) {
-  const auto number = parse_all<int>(text);
-  if (number && *number >= 1 && *number <= most) return *number;
-  return refusal(option, text, fmt::format("a whole number from 1 to {}", most));
-}
-
-tl::expected<double, std::string> parse_position(std::string_view text) {
-  constexpr double kMost = 1e9;
-  const auto number = parse_all<double>(text);
-  if (number && std::abs(*number) <= kMost) return *number;
-  return refusal("--position", text, "degrees, or of a driving slider a length, up to 1e9");
-}
-
-tl::expected<double, std::string> parse_length(std::string_view option, std::string_view text) {
-  const auto length = parse_all<double>(text);
-  if (length && *length >= 1e-30 && *length <= 1e30) return *length;
-  return refusal(option, text, "a length from 1e-30 to 1e30");
-}
-
-tl::expected<double, std::string> parse_length_or_0(std::string_view option,
-                                                    std::string_view text) {
-  const auto length = parse_all<double>(text);
-  if (length && (*length == 0 || (*length >= 1e-30 && *length <= 1e30))) return *length;
-  return refusal(option, text, "0 or a length from 1e-30 to 1e30");
 }
 
 /// Reads options one by one and keeps what is wrong with them.
@@ -93,14 +43,14 @@ class OptionReader {
     read_length("--cutter-radius", texts_.cutter_radius, options_.cutter_radius);
     if (texts_.position) take(parse_position(*texts_.position), options_.position);
     if (texts_.steps) take(parse_count("--steps", *texts_.steps, kMostSteps), options_.steps);
+    if (texts_.kerf) take(parse_length("--kerf", *texts_.kerf), options_.kerf);
+    read_length("--thickness", texts_.thickness, options_.thickness);
+    read_length("--hub-length", texts_.hub_length, options_.hub_length);
+    read_wheel();
     if (texts_.parts) read_parts();
     if (faults_.empty()) check_together();
     if (!faults_.empty()) return tl::unexpected(faults_);
-    options_.of_cams =
-        first_given({{"--curve", &texts_.curve}, {"--cutter-radius", &texts_.cutter_radius}});
-    options_.of_linkages =
-        texts_.parts ? "--parts"
-                     : first_given({{"--position", &texts_.position}, {"--steps", &texts_.steps}});
+    name_subjects();
     return options_;
   }
 
@@ -118,21 +68,46 @@ class OptionReader {
     if (text) take(parse_length(name, *text), value);
   }
 
+  /// The first option that is for one kind of result alone.
+  void name_subjects() {
+    options_.of_cams =
+        first_given({{"--curve", &texts_.curve}, {"--cutter-radius", &texts_.cutter_radius}});
+    if (options_.of_cams.empty() && texts_.timing_mark) options_.of_cams = "--timing-mark";
+    options_.of_linkages =
+        texts_.parts ? "--parts"
+                     : first_given({{"--position", &texts_.position}, {"--steps", &texts_.steps}});
+    options_.of_wheels = first_given(
+        {{"--bore", &texts_.bore}, {"--hub", &texts_.hub}, {"--hub-length", &texts_.hub_length}});
+  }
+
+  void read_wheel() {
+    WheelOrder& wheel = options_.wheel;
+    if (texts_.bore) take(parse_lengths("--bore", *texts_.bore), wheel.bores);
+    if (texts_.hub) take(parse_lengths("--hub", *texts_.hub), wheel.hubs);
+    wheel.keyway = texts_.keyway;
+    wheel.timing_mark = texts_.timing_mark;
+    if (wheel.keyway && !texts_.bore) {
+      faults_.emplace_back("--keyway: is that of a bore; expected --bore D with it");
+    }
+  }
+
   void read_parts() {
     PartOrder order;
-    for (const auto& [name, text, value] : {std::tuple("--hole", &texts_.hole, &order.hole),
-                                            std::tuple("--width", &texts_.width, &order.width)}) {
-      if (*text) {
-        take(parse_length(name, **text), *value);
-      } else {
-        faults_.push_back(fmt::format("--parts: {0} is missing; expected {0} LENGTH", name));
-      }
-    }
+    if (texts_.hole) take(parse_length("--hole", *texts_.hole), order.hole);
+    if (texts_.width) take(parse_length("--width", *texts_.width), order.width);
+    if (texts_.labels) take(parse_labels(*texts_.labels), order.labels);
+    if (texts_.bearing) take(parse_bearing(*texts_.bearing), order.bearing);
+    if (texts_.washer) take(parse_length("--washer", *texts_.washer), order.washer);
+    if (texts_.boss) take(parse_length("--boss", *texts_.boss), order.boss);
+    if (texts_.sheet) take(parse_sheet(*texts_.sheet), order.sheet);
+    order.kerf = options_.kerf;
+    order.bill = texts_.bill;
+    order.spacers = texts_.spacers;
     if (texts_.clearance) {
       take(parse_length_or_0("--clearance", *texts_.clearance), order.clearance);
     }
     if (texts_.gap) take(parse_length_or_0("--gap", *texts_.gap), order.gap);
-    read_length("--thickness", texts_.thickness, order.thickness);
+    order.thickness = options_.thickness;
     options_.parts = order;
   }
 
@@ -161,12 +136,47 @@ class OptionReader {
                                     tabled_formats()));
     }
     // What is written as a problem refuses the options of linkages itself.
-    const bool shown = format.is_drawn() || format.content == ExportContent::problem;
-    if (options_.position && (!shown || options_.parts)) {
+    const bool shown =
+        format.is_drawn() || format.is_solid() || format.content == ExportContent::problem;
+    if (options_.position && (!shown || (options_.parts && !format.is_solid()))) {
       faults_.push_back(fmt::format(
           "--position: is that of a drawing; expected --format {} with it", drawn_formats()));
     }
+    check_cuts(format);
+    if (format.is_solid()) check_solids();
+    if (texts_.boss && !format.is_solid()) {
+      faults_.push_back(
+          fmt::format("--boss: is that of solids; expected --format {} with it", solid_formats()));
+    } else if (texts_.boss && texts_.spacers) {
+      faults_.emplace_back("--boss: is in the place of a spacer; expected it without --spacers");
+    }
+    if (options_.hub_length && !format.is_solid()) {
+      faults_.push_back(fmt::format("--hub-length: is that of solids; expected --format {} with it",
+                                    solid_formats()));
+    }
     check_parts(shown);
+  }
+
+  /// What is cut is drawn.
+  void check_cuts(const FormatDeclaration& format) {
+    std::string cut =
+        first_given({{"--kerf", &texts_.kerf}, {"--bore", &texts_.bore}, {"--hub", &texts_.hub}});
+    if (cut.empty() && texts_.timing_mark) cut = "--timing-mark";
+    if (cut.empty() || format.is_drawn() || format.is_solid()) return;
+    faults_.push_back(fmt::format("{}: is that of a drawing; expected --format {} with it", cut,
+                                  drawn_formats()));
+  }
+
+  /// What is of flat drawings alone.
+  void check_solids() {
+    std::string flat = first_given({{"--kerf", &texts_.kerf},
+                                    {"--labels", &texts_.labels},
+                                    {"--gap", &texts_.gap},
+                                    {"--sheet", &texts_.sheet}});
+    if (flat.empty() && texts_.timing_mark) flat = "--timing-mark";
+    if (flat.empty()) return;
+    faults_.push_back(fmt::format("{}: is that of a drawing; expected --format {} with it", flat,
+                                  drawn_formats()));
   }
 
   void check_parts(bool shown) {
@@ -174,11 +184,13 @@ class OptionReader {
       faults_.push_back(
           fmt::format("--parts: are drawn; expected --format {} with it", drawn_formats()));
     }
-    if (options_.parts && !(options_.parts->hole < options_.parts->width)) {
+    const bool sized = texts_.width && (texts_.hole || texts_.bearing);
+    if (options_.parts && sized && !options_.parts->bearing &&
+        options_.parts->width <= options_.parts->hole) {
       faults_.push_back(
           fmt::format("--width: {} leaves nothing about a hole of {}; allowed is more than that",
                       options_.parts->width, options_.parts->hole));
-    } else if (options_.parts &&
+    } else if (options_.parts && sized &&
                !(options_.parts->hole + options_.parts->clearance < options_.parts->width)) {
       faults_.push_back(
           fmt::format("--clearance: {} makes slots as wide as the bars; allowed is less than {}",
@@ -188,8 +200,19 @@ class OptionReader {
                                            {"--width", &texts_.width},
                                            {"--clearance", &texts_.clearance},
                                            {"--gap", &texts_.gap},
-                                           {"--thickness", &texts_.thickness}});
-    if (!options_.parts && !stray.empty()) {
+                                           {"--thickness", &texts_.thickness},
+                                           {"--labels", &texts_.labels},
+                                           {"--bearing", &texts_.bearing},
+                                           {"--washer", &texts_.washer},
+                                           {"--boss", &texts_.boss},
+                                           {"--sheet", &texts_.sheet}});
+    for (const auto& [name, given] :
+         {std::pair("--bill", texts_.bill), std::pair("--spacers", texts_.spacers)}) {
+      if (options_.parts || !given) continue;
+      faults_.push_back(fmt::format("{}: is that of parts; expected --parts with it", name));
+    }
+    const bool is_of_solid = stray == "--thickness" && declaration(options_.format).is_solid();
+    if (!options_.parts && !stray.empty() && !is_of_solid) {
       faults_.push_back(stray + ": is that of parts; expected --parts with it");
     }
   }
@@ -202,24 +225,13 @@ class OptionReader {
 }  // namespace
 
 std::string ExportTexts::any() const {
-  const std::array<std::pair<const char*, const Text*>, 13> all = {
-      {{"--format", &format},
-       {"--design", &design},
-       {"--chord-tolerance", &chord_tolerance},
-       {"--dxf-version", &dxf_version},
-       {"--curve", &curve},
-       {"--cutter-radius", &cutter_radius},
-       {"--position", &position},
-       {"--steps", &steps},
-       {"--hole", &hole},
-       {"--width", &width},
-       {"--clearance", &clearance},
-       {"--gap", &gap},
-       {"--thickness", &thickness}}};
-  for (const auto& [name, text] : all) {
-    if (*text) return name;
+  for (const auto& [name, text] : kExportTexts) {
+    if (this->*text) return std::string(name);
   }
-  return parts ? "--parts" : "";
+  for (const auto& [name, given] : kExportFlags) {
+    if (this->*given) return std::string(name);
+  }
+  return {};
 }
 
 tl::expected<ExportOptions, std::vector<std::string>> export_options(const ExportTexts& texts) {
@@ -231,17 +243,6 @@ std::string refused_format(bool FormatDeclaration::*has, std::string_view subjec
   const auto of_others = [has](const auto& format) { return !(format.*has); };
   return fmt::format("--format: {} are for linkages; of {} {} is allowed",
                      format_words(of_others, " and "), subject, format_words(of_subject, " or "));
-}
-
-tl::expected<int, std::string> parse_design(std::string_view text) {
-  constexpr int kMostDesigns = 1'000'000;
-  return parse_count("--design", text, kMostDesigns);
-}
-
-tl::expected<std::int64_t, std::string> parse_row(std::string_view text) {
-  const auto number = parse_all<std::int64_t>(text);
-  if (number && *number >= 0) return *number;
-  return refusal("--row", text, "the id of a row, a whole number from 0 on");
 }
 
 }  // namespace cognate::app

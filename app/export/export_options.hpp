@@ -13,10 +13,11 @@
 #include "app/drawing/cam_drawing.hpp"
 #include "app/export/dxf.hpp"
 #include "app/export/link_parts.hpp"
+#include "app/export/wheel_bore.hpp"
 
 namespace cognate::app {
 
-enum class ExportFormat { dxf, svg, csv, json, dot, toml };
+enum class ExportFormat { dxf, svg, csv, json, dot, toml, step, stl };
 
 /// What a file of a linkage holds.
 enum class ExportContent {
@@ -24,7 +25,8 @@ enum class ExportContent {
   table,     ///< positions over the drive
   document,  ///< both
   chain,     ///< links and joints in no position
-  problem    ///< the mechanism, for `cognate analyze`
+  problem,   ///< the mechanism, for `cognate analyze`
+  solids     ///< its parts
 };
 
 /// What is said once of a format. All are of linkages.
@@ -39,6 +41,7 @@ struct FormatDeclaration {
   constexpr bool is_drawn() const {
     return content == ExportContent::drawing || content == ExportContent::document;
   }
+  constexpr bool is_solid() const { return content == ExportContent::solids; }
   constexpr bool is_tabled() const {
     return content == ExportContent::table || content == ExportContent::document;
   }
@@ -58,7 +61,12 @@ inline constexpr std::array kExportFormats{
     FormatDeclaration{ExportFormat::dot, "dot", ExportContent::chain, false, false,
                       "NAME.dot   the chain for Graphviz: links as boxes, joints as edges"},
     FormatDeclaration{ExportFormat::toml, "toml", ExportContent::problem, false, false,
-                      "NAME.designN.toml   the mechanism and its drive, for cognate analyze"}};
+                      "NAME.designN.toml   the mechanism and its drive, for cognate analyze"},
+    FormatDeclaration{ExportFormat::step, "step", ExportContent::solids, true, true,
+                      "NAME.step  with --parts and --thickness: the parts as solids for CAD,\n"
+                      "               assembled in one position (needs OpenCASCADE)"},
+    FormatDeclaration{ExportFormat::stl, "stl", ExportContent::solids, true, true,
+                      "NAME.PART.stl   each of those solids by itself, for printing"}};
 
 constexpr const FormatDeclaration& declaration(ExportFormat format) {
   return kExportFormats.at(static_cast<std::size_t>(format));
@@ -94,10 +102,52 @@ struct ExportTexts {
   std::optional<std::string> position, steps;
   bool parts = false;
   std::optional<std::string> hole, width, clearance, gap, thickness;
+  std::optional<std::string> labels, bearing, washer, sheet, boss;
+  bool bill = false, spacers = false;
+  std::optional<std::string> kerf, bore, hub, hub_length;
+  bool keyway = false, timing_mark = false;
 
   /// The name of an option that is written; empty where none is.
   std::string any() const;
 };
+
+/// An option and the member of `ExportTexts` that it sets.
+template <class Value>
+struct ExportOption {
+  std::string_view name;
+  Value ExportTexts::*member;
+};
+
+inline constexpr auto kExportTexts = std::to_array<ExportOption<std::optional<std::string>>>(
+    {{"--format", &ExportTexts::format},
+     {"--design", &ExportTexts::design},
+     {"--chord-tolerance", &ExportTexts::chord_tolerance},
+     {"--dxf-version", &ExportTexts::dxf_version},
+     {"--curve", &ExportTexts::curve},
+     {"--cutter-radius", &ExportTexts::cutter_radius},
+     {"--position", &ExportTexts::position},
+     {"--steps", &ExportTexts::steps},
+     {"--hole", &ExportTexts::hole},
+     {"--width", &ExportTexts::width},
+     {"--clearance", &ExportTexts::clearance},
+     {"--gap", &ExportTexts::gap},
+     {"--thickness", &ExportTexts::thickness},
+     {"--labels", &ExportTexts::labels},
+     {"--bearing", &ExportTexts::bearing},
+     {"--washer", &ExportTexts::washer},
+     {"--sheet", &ExportTexts::sheet},
+     {"--boss", &ExportTexts::boss},
+     {"--kerf", &ExportTexts::kerf},
+     {"--bore", &ExportTexts::bore},
+     {"--hub", &ExportTexts::hub},
+     {"--hub-length", &ExportTexts::hub_length}});
+
+inline constexpr auto kExportFlags =
+    std::to_array<ExportOption<bool>>({{"--parts", &ExportTexts::parts},
+                                       {"--bill", &ExportTexts::bill},
+                                       {"--spacers", &ExportTexts::spacers},
+                                       {"--keyway", &ExportTexts::keyway},
+                                       {"--timing-mark", &ExportTexts::timing_mark}});
 
 struct ExportOptions {
   ExportFormat format = ExportFormat::dxf;
@@ -109,8 +159,13 @@ struct ExportOptions {
   std::optional<double> position;              ///< of the drive: degrees, or a length
   std::optional<int> steps;                    ///< of the drive
   std::optional<PartOrder> parts;              ///< where links are to be drawn as parts
+  std::optional<double> thickness;             ///< of solids
+  std::optional<double> hub_length;            ///< of solids: from the wheel's lower face
+  double kerf = 0;                             ///< width of the cut
+  WheelOrder wheel;                            ///< what gears and cams have at their centres
   std::string of_cams;      ///< an option that is for cams alone; empty where none is given
   std::string of_linkages;  ///< the same for linkages
+  std::string of_wheels;    ///< the same for gears and cams
 };
 
 /// What `texts` say, or every fault in them: what is wrong; what is allowed.

@@ -8,12 +8,12 @@
 
 #include "analysis/mechanism/assembly_ranges.hpp"
 #include "app/console/options.hpp"
-#include "app/drawing/drive_span.hpp"
 #include "app/drawing/gear_plan.hpp"
 #include "app/drawing/linkage_scene.hpp"
 #include "app/export/export_options.hpp"
 #include "app/export/result_cam.hpp"
 #include "app/export/result_document.hpp"
+#include "problems/linkage/drive_span.hpp"
 
 namespace cognate::app {
 
@@ -29,7 +29,7 @@ tl::expected<LinkageScene, std::string> result_linkage(const ResultDesign& given
 tl::expected<nlohmann::ordered_json, std::string> analysis_of_design(const ResultDesign& given);
 
 /// The longest of `ranges`, which are not empty, a hair inside its ends, at which rounding decides.
-DriveSpan inside_longest(const AssemblyRanges& ranges);
+problems::DriveSpan inside_longest(const AssemblyRanges& ranges);
 
 /// "walk.design2": what files made of design 2 of walk.result.json are called.
 std::string design_stem(const std::string& stem, int design);

@@ -20,16 +20,20 @@ bool is_mere_pin(const LinkShape& link) {
   return link.shape.block && link.shape.rails.empty() && link.places.size() <= 1;
 }
 
-bool is_close(const Vec2d& p, const LinkPart& part, double distance) {
-  return std::ranges::any_of(part.holes,
-                             [&](const PartHole& hole) { return norm(hole.at - p) < distance; }) ||
+/// Whether a pin of an order at `p` would run into a hole or slot of the part.
+bool is_close(const Vec2d& p, const LinkPart& part, const PartOrder& order) {
+  const double pin = 0.5 * order.hole + order.clearance;
+  return std::ranges::any_of(
+             part.holes,
+             [&](const PartHole& hole) { return norm(hole.at - p) < pin + 0.5 * hole.diameter; }) ||
          std::ranges::any_of(part.slots, [&](const PartSlot& slot) {
-           return distance_to_segment(p, slot.from, slot.to) < distance;
+           return distance_to_segment(p, slot.from, slot.to) < pin + 0.5 * order.hole;
          });
 }
 
 bool runs_into(const PartSlot& slot, const PartHole& hole, const PartOrder& order) {
-  return distance_to_segment(hole.at, slot.from, slot.to) <= order.hole + 0.5 * order.clearance;
+  return distance_to_segment(hole.at, slot.from, slot.to) <=
+         0.5 * (hole.diameter + order.hole + order.clearance);
 }
 
 class PartsMaker {
@@ -41,9 +45,10 @@ class PartsMaker {
     for (std::size_t i = 0; i < shown_.links.size(); ++i) add_part(static_cast<int>(i));
     // The guide pins of a slider, which lengthen the slot, keep off its own slots.
     for (LinkPart& part : made_.parts) add_slots(part);
+    add_joint_pins();
+    if (order_.bearing) seat_bearings();
     for (LinkPart& part : made_.parts) add_guide_pins(part);
     for (LinkPart& part : made_.parts) add_hull(part);
-    add_joint_pins();
     return std::move(made_);
   }
 
@@ -59,9 +64,9 @@ class PartsMaker {
       return;
     }
     part_of_[static_cast<std::size_t>(number)] = static_cast<int>(made_.parts.size());
-    LinkPart part{number, given.name, {}, {}, {}};
+    LinkPart part{number, given.name, {}, {}, {}, 0.5 * order_.width_of(given.name)};
     for (const LinkPlace& place : given.places)
-      part.holes.push_back({place.name, place.at, place.joint});
+      part.holes.push_back({place.name, place.at, place.joint, order_.hole});
     made_.parts.push_back(std::move(part));
   }
 
@@ -80,8 +85,8 @@ class PartsMaker {
   void add_guide_pins(LinkPart& part) {
     if (!link(part.link).shape.block) return;
     const double aside = guide_pin_distance(part);
-    const std::array guides = {PartHole{part.name + " guide 1", {-aside, 0}},
-                               PartHole{part.name + " guide 2", {aside, 0}}};
+    const std::array guides = {PartHole{part.name + " guide 1", {-aside, 0}, true, order_.hole},
+                               PartHole{part.name + " guide 2", {aside, 0}, true, order_.hole}};
     part.holes.insert(part.holes.end(), guides.begin(), guides.end());
     for (LinkPart& bearer : made_.parts) {
       for (std::size_t i = 0; i < bearer.slots.size(); ++i) {
@@ -91,6 +96,7 @@ class PartsMaker {
         for (const PartHole& guide : guides) {
           made_.pins.push_back(
               {guide.name, {part.link, guide.at}, {part_of(part.link), part_of(bearer.link)}});
+          sort_parts(made_.pins.back());
         }
       }
     }
@@ -98,10 +104,9 @@ class PartsMaker {
 
   double guide_pin_distance(const LinkPart& part) const {
     constexpr int kMostTries = 8;
-    const double apart = order_.hole + order_.clearance;
     for (int i = 1; i <= kMostTries; ++i) {
       const double aside = i * order_.width;
-      if (!is_close({-aside, 0}, part, apart) && !is_close({aside, 0}, part, apart)) return aside;
+      if (!is_close({-aside, 0}, part, order_) && !is_close({aside, 0}, part, order_)) return aside;
     }
     return order_.width;
   }
@@ -154,10 +159,27 @@ class PartsMaker {
       const auto through = parts_at(joint);
       pin->parts.insert(pin->parts.end(), through.begin(), through.end());
     }
+    for (PartPin& pin : made_.pins) sort_parts(pin);
+  }
+
+  static void sort_parts(PartPin& pin) {
+    std::ranges::sort(pin.parts);
+    const auto [first, last] = std::ranges::unique(pin.parts);
+    pin.parts.erase(first, last);
+  }
+
+  /// A pin is fast in the first of its parts with a hole for it; the others turn on bearings.
+  void seat_bearings() {
     for (PartPin& pin : made_.pins) {
-      std::ranges::sort(pin.parts);
-      const auto [first, last] = std::ranges::unique(pin.parts);
-      pin.parts.erase(first, last);
+      bool fast = false;
+      for (const int number : pin.parts) {
+        auto& holes = made_.parts[static_cast<std::size_t>(number)].holes;
+        const auto hole = std::ranges::find(holes, pin.name, &PartHole::name);
+        if (hole == holes.end()) continue;
+        if (fast) hole->diameter = order_.bearing->outside;
+        if (fast) ++pin.bearings;
+        fast = true;
+      }
     }
   }
 
@@ -167,17 +189,71 @@ class PartsMaker {
   LinkParts made_;
 };
 
+double widest_hole(const PartOrder& order) {
+  return order.bearing ? order.bearing->outside : order.hole;
+}
+
+/// Bearings of the same bore that leave something about them, in the order's lengths.
+std::string slimmer_words(const PartOrder& order) {
+  const Bearing& wanted = *order.bearing;
+  const double unit = wanted.outside / bearing_called(wanted.designation)->outside;
+  std::string text;
+  for (const Bearing& other : slimmer_bearings(*bearing_called(wanted.designation))) {
+    text += fmt::format("{}{} with {:.6g}", text.empty() ? "; of the same bore are " : ", ",
+                        other.designation, unit * other.outside);
+  }
+  return text.empty() ? "; none of this bore is slimmer" : text;
+}
+
+/// Why a sheet would be so large that places on it have no digits left for holes.
+std::optional<std::string> too_large(const PartOrder& order) {
+  constexpr double kMostHoles = 1e9;
+  const Vec2d sheet = order.sheet.value_or(Vec2d{});
+  for (const auto& [option, length] :
+       {std::pair("--width", order.width), std::pair("--gap", order.gap.value_or(0)),
+        std::pair("--sheet", std::max(sheet.x, sheet.y))}) {
+    if (length <= kMostHoles * order.hole) continue;
+    return fmt::format("{}: {:.6g} is too large beside holes of {:.6g}; allowed is at most {:.6g}",
+                       option, length, order.hole, kMostHoles * order.hole);
+  }
+  return std::nullopt;
+}
+
+/// Why no part can be cut to these sizes.
+std::optional<std::string> impossible(const PartOrder& order) {
+  const double width = order.narrowest();
+  if (order.bearing && !(widest_hole(order) < width)) {
+    return fmt::format(
+        "--width: {:.6g} leaves nothing about the bearing {} with the outside diameter {:.6g}; "
+        "allowed is more than that{}",
+        width, order.bearing->designation, order.bearing->outside, slimmer_words(order));
+  }
+  if (!(order.hole + order.clearance < width)) {
+    return fmt::format(
+        "--clearance: {:.6g} makes slots as wide as the bars; allowed is less than "
+        "{:.6g}",
+        order.clearance, width - order.hole);
+  }
+  if (!(order.kerf < order.hole)) {
+    return fmt::format(
+        "--kerf: {:.6g} leaves nothing of holes of {:.6g}; allowed is less than that", order.kerf,
+        order.hole);
+  }
+  return too_large(order);
+}
+
 /// The first two holes of a part that overlap.
 std::optional<std::string> overlap(const LinkPart& part, const PartOrder& order) {
   for (std::size_t i = 0; i < part.holes.size(); ++i) {
     for (std::size_t k = i + 1; k < part.holes.size(); ++k) {
       const PartHole &a = part.holes[i], &b = part.holes[k];
       const double distance = norm(b.at - a.at);
-      if (distance > order.hole) continue;
+      if (distance > 0.5 * (a.diameter + b.diameter)) continue;
       return fmt::format(
-          "--hole: the holes {} and {} of {} are {:.6g} apart and would overlap; allowed is less "
-          "than that",
-          a.name, b.name, part.name, distance);
+          "{}: the holes {} and {} of {} are {:.6g} apart and would overlap; allowed is less than "
+          "that{}",
+          order.bearing ? "--bearing" : "--hole", a.name, b.name, part.name, distance,
+          order.bearing ? " as the mean of their diameters" : "");
     }
   }
   return std::nullopt;
@@ -205,7 +281,7 @@ void note_thin_walls(const LinkPart& part, const PartOrder& order,
   for (std::size_t i = 0; i < part.holes.size(); ++i) {
     for (std::size_t k = i + 1; k < part.holes.size(); ++k) {
       const PartHole &a = part.holes[i], &b = part.holes[k];
-      const double wall = norm(b.at - a.at) - order.hole;
+      const double wall = norm(b.at - a.at) - 0.5 * (a.diameter + b.diameter);
       if (!is_thin(wall, order)) continue;
       notes.push_back(
           fmt::format("the wall between the holes {} and {} of {} is {:.3g} thick, less than a "
@@ -216,7 +292,7 @@ void note_thin_walls(const LinkPart& part, const PartOrder& order,
 }
 
 void note_thin_rims(const PartOrder& order, std::vector<std::string>& notes) {
-  const double rim = 0.5 * (order.width - order.hole);
+  const double rim = 0.5 * (order.narrowest() - widest_hole(order));
   if (!is_thin(rim, order)) return;
   notes.push_back(
       fmt::format("the rim about every hole is {:.3g} thick, less than a tenth of the hole: it may "
@@ -226,7 +302,19 @@ void note_thin_rims(const PartOrder& order, std::vector<std::string>& notes) {
 
 }  // namespace
 
+double PartOrder::width_of(const std::string& link) const {
+  const auto own = std::ranges::find(widths, link, &problems::LinkWidth::link);
+  return own == widths.end() ? width : own->width;
+}
+
+double PartOrder::narrowest() const {
+  double least = width;
+  for (const problems::LinkWidth& own : widths) least = std::min(least, own.width);
+  return least;
+}
+
 tl::expected<LinkParts, std::string> link_parts(const LinkShapes& shown, const PartOrder& order) {
+  if (const auto why = impossible(order)) return tl::unexpected(*why);
   LinkParts made = PartsMaker(shown, order).make();
   for (const LinkPart& part : made.parts) {
     if (const auto why = overlap(part, order)) return tl::unexpected(*why);
@@ -235,27 +323,6 @@ tl::expected<LinkParts, std::string> link_parts(const LinkShapes& shown, const P
   }
   note_thin_rims(order, made.notes);
   return made;
-}
-
-PlanOutline rounded_outline(const std::string& layer, const std::vector<Vec2d>& hull,
-                            double distance) {
-  PlanOutline outline{layer, {}, true};
-  const std::size_t count = hull.size();
-  if (count < 2) return outline;
-  const auto along = [&](std::size_t i) {
-    const Vec2d way = hull[(i + 1) % count] - hull[i % count];
-    return (1 / norm(way)) * way;
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec2d here = along(i), next = along(i + 1);
-    const Vec2d out = (-distance) * perp(here);
-    // The turn from one side to the next is half a turn at most: an arc about the corner.
-    double turn = std::atan2(cross(here, next), dot(here, next));
-    if (turn < 0) turn = -turn;
-    outline.corners.push_back({hull[i] + out});
-    outline.corners.push_back({hull[(i + 1) % count] + out, std::tan(turn / 4)});
-  }
-  return outline;
 }
 
 }  // namespace cognate::app

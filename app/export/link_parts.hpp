@@ -8,22 +8,41 @@
 
 #include "app/drawing/link_shapes.hpp"
 #include "app/drawing/plan.hpp"
+#include "app/export/bearings.hpp"
+#include "problems/layers/layers.hpp"
 
 namespace cognate::app {
 
+/// How parts are named on the sheet: not at all, by texts, or by the strokes of an engraver.
+enum class PartLabels { none, text, stroke };
+
 /// What parts are cut to, in the lengths of the linkage.
 struct PartOrder {
-  double hole = 0;                  ///< diameter of the holes and pins
+  double hole = 0;                  ///< diameter of the pins, and of holes without a bearing
   double width = 0;                 ///< of the bars, and of the ends about every hole
   double clearance = 0;             ///< how much wider a slot is than a pin
   std::optional<double> gap;        ///< between parts on the sheet; empty: half the width
   std::optional<double> thickness;  ///< of the sheet, for the lengths of the pins
+  double kerf = 0;                  ///< width of the cut; what is drawn is the beam's way
+  PartLabels labels = PartLabels::text;
+  std::optional<Bearing> bearing;  ///< on which links turn on their pins
+  double washer = 0;               ///< thickness of washers between layers
+  std::optional<Vec2d> sheet;      ///< width and height of the sheets that parts are cut from
+  bool bill = false;               ///< whether the bill of material is a file of its own
+  bool spacers = false;            ///< whether spacers are parts as well
+  std::optional<double> boss;      ///< diameter of bosses on solid plates in place of spacers
+  std::vector<problems::LinkWidth> widths{};  ///< of links that have their own
+  double apart = 0;  ///< that parts and pins of one layer keep from each other
+
+  double width_of(const std::string& link) const;
+  double narrowest() const;  ///< of all widths
 };
 
 struct PartHole {
   std::string name;
   Vec2d at{};
-  bool pin = true;  ///< whether a pin goes through; else the hole marks a named point
+  bool pin = true;      ///< whether a pin goes through; else the hole marks a named point
+  double diameter = 0;  ///< of the finished hole
 };
 
 /// A slot for a pin: the way of the pin's centre.
@@ -32,13 +51,14 @@ struct PartSlot {
   Vec2d from{}, to{};
 };
 
-/// A link with its holes, in its own axes. Its outline keeps half the width from `hull`.
+/// A link with its holes, in its own axes. Its outline keeps `rim` from `hull`.
 struct LinkPart {
-  int link = 0;
+  int link = 0;  ///< −1 of a spacer
   std::string name;
   std::vector<PartHole> holes;
   std::vector<PartSlot> slots;
   std::vector<Vec2d> hull;  ///< corners, counter-clockwise: one, two or more
+  double rim = 0;           ///< half the width
 };
 
 /// A pin, and the parts that it goes through: indices of `parts`.
@@ -46,6 +66,7 @@ struct PartPin {
   std::string name;
   Attached<double> at{};
   std::vector<int> parts;
+  int bearings = 0;  ///< on it
 };
 
 struct LinkParts {
@@ -57,12 +78,9 @@ struct LinkParts {
 /// The parts of the links: a hole at every joint and named point (but none at a point in a slot), a
 /// slot for everything that slides on the link, and about them the convex hull with round ends. A
 /// slider with nothing but one joint is no part: it is a pin in the slot. One with more has two
-/// pins of its own in the slot, which keep its direction. The error says which holes would overlap
-/// and what is allowed.
+/// pins of its own in the slot, which keep its direction. With a bearing a pin is fast in the first
+/// of its links, the frame if it joins that, and the holes of the others take the bearing. The
+/// error says which size is not possible, or which holes would overlap, and what is allowed.
 tl::expected<LinkParts, std::string> link_parts(const LinkShapes& shown, const PartOrder& order);
-
-/// The outline at `distance` about the convex polygon `hull`: lines and arcs. None of a mere point.
-PlanOutline rounded_outline(const std::string& layer, const std::vector<Vec2d>& hull,
-                            double distance);
 
 }  // namespace cognate::app

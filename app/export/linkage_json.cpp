@@ -62,28 +62,31 @@ ordered_json part_json(const PartOptions& told, std::size_t i) {
   const PartPlace& place = told.sheet.places[i];
   ordered_json holes = ordered_json::array(), slots = holes;
   for (const PartHole& hole : part.holes) {
-    holes.push_back({{"name", hole.name}, {"at", to_json(on_sheet(place, hole.at))}});
+    holes.push_back({{"name", hole.name},
+                     {"at", to_json(on_sheet(place, hole.at))},
+                     {"diameter", hole.diameter}});
   }
   for (const PartSlot& slot : part.slots) {
     slots.push_back({{"slider", slot.name},
                      {"from", to_json(on_sheet(place, slot.from))},
                      {"to", to_json(on_sheet(place, slot.to))}});
   }
-  return {
+  ordered_json table = {
       {"name", part.name}, {"plane", told.layers.layers[i]}, {"holes", holes}, {"slots", slots}};
+  if (told.order.sheet) table["sheet"] = place.sheet;
+  return table;
 }
 
 ordered_json pin_json(const PartOptions& told, const PartPin& pin) {
-  int low = told.layers.count, high = 1;
   ordered_json names = ordered_json::array();
   for (const int part : pin.parts) {
-    const auto i = static_cast<std::size_t>(part);
-    names.push_back(told.made.parts[i].name);
-    low = std::min(low, told.layers.layers[i]);
-    high = std::max(high, told.layers.layers[i]);
+    names.push_back(told.made.parts[static_cast<std::size_t>(part)].name);
   }
-  ordered_json table = {{"name", pin.name}, {"parts", names}, {"planes", {low, high}}};
-  if (told.order.thickness) table["length"] = (high - low + 1) * *told.order.thickness;
+  const PinStack stack = pin_stack(pin, told.layers);
+  ordered_json table = {{"name", pin.name}, {"parts", names}, {"planes", {stack.low, stack.high}}};
+  if (const auto length = stack_height(stack.high - stack.low + 1, told.order)) {
+    table["length"] = *length;
+  }
   return table;
 }
 
@@ -121,17 +124,28 @@ ordered_json columns_json(const std::vector<problems::Column>& columns) {
 }
 
 ordered_json parts_json(const PartOptions& told) {
-  ordered_json table = {{"hole", told.order.hole},           {"width", told.order.width},
-                        {"clearance", told.order.clearance}, {"planes", told.layers.count},
-                        {"parts", ordered_json::array()},    {"pins", ordered_json::array()}};
+  const PartOrder& order = told.order;
+  ordered_json table = {{"hole", order.hole},           {"width", order.width},
+                        {"clearance", order.clearance}, {"planes", told.layers.count},
+                        {"fewest", told.layers.fewest}, {"parts", ordered_json::array()},
+                        {"pins", ordered_json::array()}};
+  if (order.kerf > 0) table["kerf"] = order.kerf;
+  if (order.bearing) table["bearing"] = order.bearing->designation;
   for (std::size_t i = 0; i < told.made.parts.size(); ++i) {
     table["parts"].push_back(part_json(told, i));
   }
   for (const PartPin& pin : told.made.pins) table["pins"].push_back(pin_json(told, pin));
-  if (told.order.thickness) {
-    table["thickness"] = *told.order.thickness;
-    table["height"] = told.layers.count * *told.order.thickness;
+  if (const auto height = stack_height(told.layers.count, order)) {
+    table["thickness"] = *order.thickness;
+    table["height"] = *height;
   }
+  if (order.sheet) {
+    table["sheets"] = {{"width", order.sheet->x},
+                       {"height", order.sheet->y},
+                       {"count", told.sheet.sheets},
+                       {"utilisation", told.sheet.utilisation}};
+  }
+  table["bill"] = bill_json(told.bill);
   return table;
 }
 

@@ -9,6 +9,7 @@
 #include "analysis/mechanism/motion_state.hpp"
 #include "app/drawing/link_shapes.hpp"
 #include "app/drawing/linkage_paths.hpp"
+#include "app/export/part_bill.hpp"
 #include "app/export/part_sheet.hpp"
 #include "problems/evaluation/result.hpp"
 
@@ -19,6 +20,7 @@ struct PartOptions {
   const LinkParts& made;
   const PartLayers& layers;
   const PartSheet& sheet;
+  const PartBill& bill;
   const PartOrder& order;
 };
 
@@ -33,9 +35,9 @@ nlohmann::ordered_json linkage_json(const LinkageScene& linkage, const LinkShape
 /// assembled.
 nlohmann::ordered_json columns_json(const std::vector<problems::Column>& columns);
 
-/// `hole`, `width`, `clearance`, `parts` (name, layer, where their holes and slots are on the
-/// sheet), `planes`, and `pins` (name, layers that they go through; with a thickness their length
-/// and the height of the stack).
+/// `hole`, `width`, `clearance`, `kerf`, `bearing`, `parts` (name, layer, where their holes and
+/// slots are on the sheet), `planes`, `pins` (name, layers that they go through; with a thickness
+/// their length and the height of the stack), `sheets`, `bill`.
 nlohmann::ordered_json parts_json(const PartOptions& told);
 
 }  // namespace cognate::app

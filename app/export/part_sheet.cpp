@@ -5,121 +5,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
-#include "analysis/numbers/hull_distance.hpp"
 #include "app/export/link_parts.hpp"
+#include "app/export/nesting.hpp"
+#include "app/export/offset_outline.hpp"
+#include "app/export/part_labels.hpp"
 
 namespace cognate::app {
 namespace {
-
-/// The lower left corner of a line of text and its height.
-struct PartLabel {
-  Vec2d at{};
-  double height = 0;
-};
-
-// As shares of the width of the bars.
-constexpr double kHeight = 0.25, kClear = 0.1;
-
-/// Heights that are tried, as shares of the greatest.
-constexpr std::array kShares = {1.0, 0.85, 0.7};
-
-constexpr int kPlacesAcross = 48, kPlacesUp = 24;  // that are tried over the box of a part
-
-/// A part as it lies on the sheet, and where its label may be.
-class Space {
- public:
-  Space(const LinkPart& part, const Vec2d& direction, const PartOrder& order)
-      : order_(order), clear_(kClear * order.width) {
-    for (const Vec2d& corner : part.hull) {
-      hull_.push_back(direction * corner);
-      middle_ = middle_ + (1.0 / static_cast<double>(part.hull.size())) * hull_.back();
-    }
-    for (const PartHole& hole : part.holes) holes_.push_back(direction * hole.at);
-    for (const PartSlot& slot : part.slots) {
-      slots_.push_back({direction * slot.from, direction * slot.to});
-    }
-    low_ = high_ = hull_.front();
-    for (const Vec2d& corner : hull_) {
-      low_ = {std::min(low_.x, corner.x), std::min(low_.y, corner.y)};
-      high_ = {std::max(high_.x, corner.x), std::max(high_.y, corner.y)};
-    }
-    const double rim = 0.5 * order.width;
-    low_ = low_ - Vec2d{rim, rim};
-    high_ = high_ + Vec2d{rim, rim};
-  }
-
-  /// The lower left corner of a free rectangle of this size, nearest to the middle.
-  std::optional<Vec2d> place_for(const Vec2d& size) const {
-    const Vec2d room = high_ - low_ - size;
-    if (room.x < 0 || room.y < 0) return std::nullopt;
-    std::optional<Vec2d> best;
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i <= kPlacesAcross; ++i) {
-      for (int k = 0; k <= kPlacesUp; ++k) {
-        const Vec2d at = low_ + Vec2d{room.x * i / kPlacesAcross, room.y * k / kPlacesUp};
-        const double distance = norm(at + 0.5 * size - middle_);
-        if (distance >= least || !is_free(at, size)) continue;
-        least = distance;
-        best = at;
-      }
-    }
-    return best;
-  }
-
- private:
-  bool is_free(const Vec2d& at, const Vec2d& size) const {
-    const std::array<Vec2d, 4> corners = {at, at + Vec2d{size.x, 0}, at + size,
-                                          at + Vec2d{0, size.y}};
-    const double rim = 0.5 * order_.width - clear_;
-    const double hole = 0.5 * order_.hole + clear_;
-    const double slot = hole + 0.5 * order_.clearance;
-    return std::ranges::all_of(corners,
-                               [&](const Vec2d& p) {
-                                 return hull_distance({&p, 1}, hull_) <= rim;
-                               }) &&
-           std::ranges::all_of(holes_,
-                               [&](const Vec2d& p) {
-                                 return hull_distance({&p, 1}, corners) >= hole;
-                               }) &&
-           std::ranges::all_of(
-               slots_, [&](const auto& way) { return hull_distance(way, corners) >= slot; });
-  }
-
-  const PartOrder& order_;
-  double clear_;
-  std::vector<Vec2d> hull_, holes_;
-  std::vector<std::array<Vec2d, 2>> slots_;
-  Vec2d middle_{};        ///< of the corners
-  Vec2d low_{}, high_{};  ///< of the part with its rim
-};
-
-/// The greatest height of a part's label, and that of one beside its part.
-double label_height(const PartOrder& order) {
-  return kHeight * order.width;
-}
-
-/// Where `text` can be written along the x axis within `part`, turned by `direction`, clear of its
-/// rim, holes and slots: as high as possible, and as near to the middle. Empty where it cannot.
-std::optional<PartLabel> label_within(const LinkPart& part, const Vec2d& direction,
-                                      const PartOrder& order, const std::string& text) {
-  if (part.hull.empty()) return std::nullopt;
-  const Space space(part, direction, order);
-  for (const double share : kShares) {
-    const double height = share * label_height(order);
-    if (const auto at = space.place_for({text_width(text, height), height})) {
-      return PartLabel{*at, height};
-    }
-  }
-  return std::nullopt;
-}
 
 constexpr double kAspect = 1.4;  // of the sheet, about
 
@@ -144,7 +42,10 @@ Vec2d lying(const std::vector<Vec2d>& hull) {
   return conj(longest);
 }
 
-Box box_of(const LinkPart& part, const Vec2d& direction, double rim) {
+/// `beyond` its outline.
+Box box_of(const LinkPart& part, const Vec2d& direction, double beyond) {
+  const double rim = part.rim + beyond;
+  if (part.hull.empty()) return {{}, {}};
   Box box;
   for (const Vec2d& corner : part.hull) {
     const Vec2d at = direction * corner;
@@ -181,37 +82,157 @@ std::vector<Vec2d> rows_of(const std::vector<Box>& boxes, double gap) {
   return places;
 }
 
+/// Turns the least rectangle about a part so that its longer side lies along x.
+Vec2d tight(const LinkPart& part) {
+  Vec2d best = lying(part.hull);
+  double least = kInfinity;
+  for (std::size_t i = 0; i < part.hull.size(); ++i) {
+    const Vec2d side = part.hull[(i + 1) % part.hull.size()] - part.hull[i];
+    if (!(norm(side) > 0)) continue;
+    Vec2d direction = conj((1 / norm(side)) * side);
+    const Vec2d size = box_of(part, direction, 0).size();
+    if (!(size.x * size.y < least * (1 - kEpsilon))) continue;
+    least = size.x * size.y;
+    best = size.x < size.y ? -perp(direction) : direction;
+  }
+  return best;
+}
+
+/// The area that the outline of a finished part encloses.
+double area_of(const LinkPart& part) {
+  double twice = 0, around = 0;
+  for (std::size_t i = 0; i < part.hull.size(); ++i) {
+    const Vec2d &a = part.hull[i], &b = part.hull[(i + 1) % part.hull.size()];
+    twice += cross(a, b);
+    around += norm(b - a);
+  }
+  return 0.5 * twice + around * part.rim + kPi * part.rim * part.rim;
+}
+
+/// A part as it may lie on a sheet.
+struct LaidPart {
+  Vec2d direction{1, 0};
+  Box box;  ///< with its label
+  PartLabel label;
+};
+
+/// The same turned by a right angle, an engraved name with it.
+LaidPart upright(const LaidPart& lying) {
+  LaidPart turned = lying;
+  turned.direction = perp(lying.direction);
+  turned.box = {{-lying.box.high.y, lying.box.low.x}, {-lying.box.low.y, lying.box.high.x}};
+  turned.label.at = perp(lying.label.at);
+  turned.label.direction = perp(lying.label.direction);
+  return turned;
+}
+
 class SheetMaker {
  public:
   SheetMaker(const LinkParts& made, const PartLayers& layers, const PartOrder& order)
-      : made_(made), layers_(layers), order_(order) {}
+      : made_(made),
+        layers_(layers),
+        order_(order),
+        beam_(0.5 * order.kerf),
+        gap_(order.gap.value_or(0.5 * order.width)) {}
 
-  PartSheet make() {
+  tl::expected<PartSheet, std::string> make() {
     sheet_.plan.title = "Parts";
-    sheet_.plan.layers = {{"OUTLINES"},
-                          {"HOLES", PlanColour::red},
-                          {"SLOTS", PlanColour::red},
-                          {"LABELS", PlanColour::green}};
-    lay_out();
+    sheet_.plan.layers = {{"OUTLINES"}, {"HOLES", PlanColour::red}, {"SLOTS", PlanColour::red}};
+    if (order_.labels == PartLabels::text) {
+      sheet_.plan.layers.push_back({"LABELS", PlanColour::green});
+    } else if (order_.labels == PartLabels::stroke) {
+      sheet_.plan.layers.push_back({"ENGRAVE", PlanColour::green});
+    }
+    if (const auto why = order_.sheet ? nest_parts() : lay_in_rows()) return tl::unexpected(*why);
     for (std::size_t i = 0; i < made_.parts.size(); ++i) draw(i);
     fit_to_shapes(sheet_.plan);
     return std::move(sheet_);
   }
 
  private:
-  void lay_out() {
+  using Refusal = std::optional<std::string>;
+
+  /// The part turned by `direction`, with room for its label.
+  LaidPart laid(std::size_t i, const Vec2d& direction) const {
+    const LinkPart& part = made_.parts[i];
+    LaidPart made{direction, box_of(part, direction, beam_), {}};
+    if (order_.labels == PartLabels::none) return made;
+    const std::string text = label_text(i);
+    const auto within = label_within(part, direction, order_, text);
+    made.label = within ? *within : label_below(made.box, text);
+    return made;
+  }
+
+  void put(std::size_t i, const LaidPart& part, const Vec2d& corner, int sheet) {
+    const Vec2d at = corner - part.box.low;
+    sheet_.places[i] = {at, part.direction, sheet};
+    labels_[i] = part.label;
+  }
+
+  Refusal lay_in_rows() {
+    std::vector<LaidPart> parts;
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < made_.parts.size(); ++i) {
-      const LinkPart& part = made_.parts[i];
-      const Vec2d direction = lying(part.hull);
-      sheet_.places.push_back({{}, direction});
-      boxes.push_back(box_of(part, direction, 0.5 * order_.width));
-      const std::string text = label_text(i);
-      const auto within = label_within(part, direction, order_, text);
-      labels_.push_back(within ? *within : label_below(boxes.back(), text));
+      parts.push_back(laid(i, lying(made_.parts[i].hull)));
+      boxes.push_back(parts.back().box);
     }
-    const auto corners = rows_of(boxes, order_.gap.value_or(0.5 * order_.width));
-    for (std::size_t i = 0; i < boxes.size(); ++i) sheet_.places[i].at = corners[i] - boxes[i].low;
+    const auto corners = rows_of(boxes, gap_);
+    sheet_.places.resize(parts.size());
+    labels_.resize(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) put(i, parts[i], corners[i], 1);
+    return std::nullopt;
+  }
+
+  /// Why a part is on no sheet; empty where all are.
+  Refusal nest_parts() {
+    std::vector<std::array<LaidPart, 2>> parts;
+    std::vector<NestItem> items;
+    double area = 0;
+    for (std::size_t i = 0; i < made_.parts.size(); ++i) {
+      const Vec2d direction = tight(made_.parts[i]);
+      const LaidPart flat = laid(i, direction);
+      const bool is_text = order_.labels == PartLabels::text;  // which is never turned
+      parts.push_back({flat, is_text ? laid(i, perp(direction)) : upright(flat)});
+      const Vec2d lying = flat.box.size(), turned = parts[i][1].box.size();
+      items.push_back({{lying, turned}});
+      if (!fits_sheet(lying, *order_.sheet) && !fits_sheet(turned, *order_.sheet)) {
+        return fmt::format(
+            "--sheet: {:.6g}x{:.6g} is too small for the part {}, which takes {:.6g}x{:.6g}{}; "
+            "allowed is a larger sheet",
+            order_.sheet->x, order_.sheet->y, made_.parts[i].name, lying.x, lying.y,
+            order_.labels == PartLabels::none ? "" : " with its label");
+      }
+      area += area_of(made_.parts[i]);
+    }
+    const auto nesting = nest(items, *order_.sheet, gap_);
+    sheet_.places.resize(parts.size());
+    labels_.resize(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const NestPlace& place = nesting->places[i];
+      put(i, parts[i].at(place.choice), place.corner + sheet_corner(place.sheet), place.sheet + 1);
+    }
+    sheet_.sheets = nesting->sheets;
+    sheet_.utilisation = area / (nesting->sheets * order_.sheet->x * order_.sheet->y);
+    draw_sheets();
+    return std::nullopt;
+  }
+
+  /// Sheets lie side by side.
+  Vec2d sheet_corner(int sheet) const {
+    constexpr double kApart = 1.1;
+    return {sheet * kApart * order_.sheet->x, 0};
+  }
+
+  void draw_sheets() {
+    sheet_.plan.layers.push_back({"SHEETS", PlanColour::grey});
+    const Vec2d size = *order_.sheet;
+    for (int k = 0; k < sheet_.sheets; ++k) {
+      const Vec2d low = sheet_corner(k);
+      sheet_.plan.outlines.push_back(
+          {"SHEETS",
+           {{low}, {low + Vec2d{size.x, 0}}, {low + size}, {low + Vec2d{0, size.y}}},
+           true});
+    }
   }
 
   void draw(std::size_t i) {
@@ -219,18 +240,22 @@ class SheetMaker {
     const PartPlace& place = sheet_.places[i];
     std::vector<Vec2d> hull;
     for (const Vec2d& corner : part.hull) hull.push_back(on_sheet(place, corner));
-    add_rounded("OUTLINES", hull, 0.5 * order_.width);
+    add_rounded("OUTLINES", hull, part.rim + beam_);
     for (const PartSlot& slot : part.slots) {
       std::vector<Vec2d> way = {on_sheet(place, slot.from)};
       if (norm(slot.to - slot.from) > kOnePlace * norm(slot.from)) {
         way.push_back(on_sheet(place, slot.to));
       }
-      add_rounded("SLOTS", way, 0.5 * (order_.hole + order_.clearance));
+      add_rounded("SLOTS", way, 0.5 * (order_.hole + order_.clearance - order_.kerf));
     }
     for (const PartHole& hole : part.holes) {
-      sheet_.plan.circles.push_back({"HOLES", on_sheet(place, hole.at), 0.5 * order_.hole});
+      sheet_.plan.circles.push_back(
+          {"HOLES", on_sheet(place, hole.at), 0.5 * (hole.diameter - order_.kerf)});
     }
-    add_label(i);
+    if (order_.labels == PartLabels::none) return;
+    PartLabel label = labels_[i];
+    label.at = place.at + label.at;
+    add_label(order_, label, label_text(i), sheet_.plan);
   }
 
   void add_rounded(const char* layer, const std::vector<Vec2d>& hull, double distance) {
@@ -244,32 +269,30 @@ class SheetMaker {
 
   /// Room for a label below the part of `box`, which becomes greater by it.
   PartLabel label_below(Box& box, const std::string& text) const {
-    if (!(box.low.x <= box.high.x)) return {};
     constexpr double kLine = 1.6;  // of the height of a label, with what hangs below it
     const double height = label_height(order_);
     box.low.y -= kLine * height;
-    box.high.x = std::max(box.high.x, box.low.x + text_width(text, height));
+    box.high.x = std::max(box.high.x, box.low.x + label_width(order_, text, height));
     return {box.low + Vec2d{0, 0.35 * height}, height};
-  }
-
-  void add_label(std::size_t i) {
-    const PartLabel& label = labels_[i];
-    if (!(label.height > 0)) return;
-    sheet_.plan.labels.push_back(
-        {"LABELS", sheet_.places[i].at + label.at, label.height, label_text(i)});
   }
 
   const LinkParts& made_;
   const PartLayers& layers_;
   const PartOrder& order_;
+  double beam_, gap_;
   PartSheet sheet_;
   std::vector<PartLabel> labels_;  ///< of each part, in its turned axes
 };
 
 }  // namespace
 
-PartSheet part_sheet(const LinkParts& made, const PartLayers& layers, const PartOrder& order) {
+tl::expected<PartSheet, std::string> part_sheet(const LinkParts& made, const PartLayers& layers,
+                                                const PartOrder& order) {
   return SheetMaker(made, layers, order).make();
+}
+
+Vec2d part_size(const LinkPart& part) {
+  return box_of(part, tight(part), 0).size();
 }
 
 Vec2d on_sheet(const PartPlace& place, const Vec2d& at) {

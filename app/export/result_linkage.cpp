@@ -85,9 +85,37 @@ ordered_json analysis_tables(const ResultDesign& given) {
   return tables;
 }
 
+/// The sizes of parts that the file gives, those of the links of `mechanism`.
+std::optional<problems::LayerSizes> layer_sizes(const ordered_json& problem,
+                                                const problems::NamedMechanism& mechanism) {
+  const ordered_json& table = member(problem, "layers");
+  const auto width = number(member(table, "link_width")),
+             pin = number(member(table, "pin_diameter"));
+  if (!width || !pin || !(*pin > 0 && *width > 0)) return std::nullopt;
+  problems::LayerSizes sizes{.link_width = *width, .pin_diameter = *pin};
+  sizes.clearance = std::max(number(member(table, "clearance")).value_or(0), 0.0);
+  sizes.thickness = number(member(table, "thickness"));
+  if (sizes.thickness && !(*sizes.thickness > 0)) sizes.thickness.reset();
+  for (const std::string& link : mechanism.bodies) {
+    const auto own = number(member(member(table, "widths"), link.c_str()));
+    if (own && *own > 0) sizes.widths.push_back({link, *own});
+  }
+  return sizes;
+}
+
+/// The same as a table of a file.
+ordered_json sizes_table(const problems::LayerSizes& sizes) {
+  ordered_json table = {{"link_width", sizes.link_width},
+                        {"pin_diameter", sizes.pin_diameter},
+                        {"clearance", sizes.clearance}};
+  if (sizes.thickness) table["thickness"] = *sizes.thickness;
+  for (const auto& [link, width] : sizes.widths) table["widths"][link] = width;
+  return table;
+}
+
 /// Lets the drive of a synthesised linkage run where it can be assembled; the error says why not.
 tl::expected<void, std::string> choose_span(LinkageScene& linkage) {
-  const auto span = drive_span(linkage.problem.mechanism.mechanism, linkage.stations);
+  const auto span = problems::drive_span(linkage.problem.mechanism.mechanism, linkage.stations);
   if (!span && is_driven_by_slider(linkage)) {
     return tl::unexpected(
         std::string("its slider has no two positions between which it could be shown; expected the "
@@ -115,6 +143,7 @@ tl::expected<LinkageScene, std::string> result_linkage(const ResultDesign& given
   LinkageScene linkage{*std::move(problem), false, false, {}, targets(given.problem)};
   const bool slides = is_driven_by_slider(linkage);
   linkage.stations = stations(given, slides);
+  linkage.layers = layer_sizes(given.problem, linkage.problem.mechanism);
   const problems::DriveSweep& drive = linkage.problem.drive;
   if (is_analysis(given)) {
     const double turns = std::abs(drive.end - drive.start) / kTurn;
@@ -131,11 +160,12 @@ tl::expected<ordered_json, std::string> analysis_of_design(const ResultDesign& g
   if (is_analysis(given)) return given.problem;
   ordered_json tables = head_of(given, "analysis");
   tables["mechanism"] = without_rounding(given.table["mechanism"]);
+  if (linkage->layers) tables["layers"] = sizes_table(*linkage->layers);
   if (linkage->round) return tables;
   const auto& drive = linkage->problem.drive;
   const auto ranges = follow(linkage->problem.mechanism.mechanism, drive.start, drive.end);
   if (ranges.runs.empty()) return tables;
-  const DriveSpan span = inside_longest(ranges);
+  const problems::DriveSpan span = inside_longest(ranges);
   const bool slides = is_driven_by_slider(*linkage);
   const double unit = slides ? 1 : 360 / kTurn;
   tables["drive"] = {{slides ? "start" : "start_deg", unit * span.from},
@@ -143,7 +173,7 @@ tl::expected<ordered_json, std::string> analysis_of_design(const ResultDesign& g
   return tables;
 }
 
-DriveSpan inside_longest(const AssemblyRanges& ranges) {
+problems::DriveSpan inside_longest(const AssemblyRanges& ranges) {
   constexpr double kInside = 1e-9;  // of the range
   const auto& longest = *std::ranges::max_element(
       ranges.runs, {}, [](const AssemblyRange& range) { return range.to - range.from; });

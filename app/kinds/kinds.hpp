@@ -4,11 +4,13 @@
 
 #include "app/kinds/cam/kind.hpp"
 #include "app/kinds/chain/kind.hpp"
+#include "app/kinds/chain_function/kind.hpp"
 #include "app/kinds/dwell/kind.hpp"
 #include "app/kinds/evaluation/kind.hpp"
 #include "app/kinds/function/kind.hpp"
 #include "app/kinds/gear/kind.hpp"
 #include "app/kinds/guidance/kind.hpp"
+#include "app/kinds/leg/kind.hpp"
 #include "app/kinds/machine/kind.hpp"
 #include "app/kinds/path/kind.hpp"
 #include "app/kinds/quick_return/kind.hpp"

@@ -108,15 +108,17 @@ py::object freudenstein(const py::object& input, const py::object& output,
 }
 
 /// The precision points in `points`, and the starts, three conditions and one for each start free.
-std::vector<PrecisionPoint> precision_rows(const py::object& points, const GivenStart& start) {
+/// `lengths`: how many ratios of the lengths the pairs determine beside the starts.
+std::vector<PrecisionPoint> precision_rows(const py::object& points, const GivenStart& start,
+                                           std::size_t lengths = 3) {
   const Numbers rows(points, "points");
   rows.expect("points", "(n, 2), [[input, output], ...]", {-1, 2});
   rows.expect_finite("points");
-  const std::size_t wanted = 3 + std::size_t{!start.input} + std::size_t{!start.output};
+  const std::size_t wanted = lengths + std::size_t{!start.input} + std::size_t{!start.output};
   const std::size_t count = rows.size() / 2;
   if (count != wanted) {
-    raise_fault("points",
-                fmt::format("are {} for {} starts given; expected {}", count, 5 - wanted, wanted));
+    raise_fault("points", fmt::format("are {} for {} starts given; expected {}", count,
+                                      lengths + 2 - wanted, wanted));
   }
   std::vector<PrecisionPoint> list(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -167,10 +169,24 @@ const char* word(SliderCrankOutcome outcome) {
   return "";
 }
 
+/// With the offset given one condition less.
+synthesis::SliderCrankFunctions slider_cranks(const py::object& points, const GivenStart& start,
+                                              const py::object& offset) {
+  if (offset.is_none()) {
+    return synthesis::slider_crank_functions(precision_rows(points, start), start);
+  }
+  if (start.input && start.output) {
+    raise_fault("offset",
+                "is given beside both starts; expected input_start, output_start or neither");
+  }
+  const double value = number_of(offset, "offset");
+  return synthesis::slider_crank_functions(precision_rows(points, start, 2), start, value);
+}
+
 py::list slider_crank_points(const py::object& points, const py::object& input_start,
-                             const py::object& output_start) {
+                             const py::object& output_start, const py::object& offset) {
   const GivenStart start = starts_of(input_start, output_start);
-  const auto found = synthesis::slider_crank_functions(precision_rows(points, start), start);
+  const auto found = slider_cranks(points, start, offset);
   py::list all;
   for (const auto& each : found.solutions) {
     py::dict one;

@@ -12,6 +12,7 @@
 #include "app/python/mechanism.hpp"
 #include "problems/quick_return/designs.hpp"
 #include "synthesis/exact/quick_return/guide.hpp"
+#include "synthesis/exact/quick_return/limit_angle.hpp"
 #include "synthesis/exact/quick_return/rocker.hpp"
 #include "synthesis/exact/quick_return/shaper.hpp"
 #include "synthesis/exact/quick_return/slider.hpp"
@@ -88,7 +89,14 @@ synthesis::PivotLine pivot_line_of(const py::object& value) {
   return {row[0], row[1], row[2]};
 }
 
-/// `given`: crank, coupler, frame, line, or best, for which `value` is None.
+synthesis::RockerLimitAngle limit_angle_of(synthesis::RockerLimit limit, const py::object& value) {
+  return {
+      limit,
+      angle_of(value, limit == synthesis::RockerLimit::outer ? "outer_limit" : "inner_limit", kPi)};
+}
+
+/// `given`: crank, coupler, frame, line, outer_limit, inner_limit, or best, for which `value` is
+/// None.
 synthesis::RockerSolutions rockers(const synthesis::RockerTask& task, std::size_t given,
                                    const py::object& value) {
   switch (given) {
@@ -100,19 +108,16 @@ synthesis::RockerSolutions rockers(const synthesis::RockerTask& task, std::size_
       return rockers_with_frame(task, length_of(value, "frame"));
     case 3:
       return rockers_on_line(task, pivot_line_of(value));
+    case 4:
+      return rockers_at_limit(task, limit_angle_of(synthesis::RockerLimit::outer, value));
+    case 5:
+      return rockers_at_limit(task, limit_angle_of(synthesis::RockerLimit::inner, value));
     default:
       return best_rockers(task, {});
   }
 }
 
-py::dict quick_return_rockers(const py::object& time_ratio, const py::object& rocker,
-                              const py::object& swing, const std::string& given,
-                              const py::object& value) {
-  const synthesis::RockerTask task{time_ratio_of(time_ratio), length_of(rocker, "rocker"),
-                                   angle_of(swing, "swing", kPi)};
-  const std::size_t which =
-      word_of(py::str(given), "given", {"crank", "coupler", "frame", "line", "best"});
-  const auto found = rockers(task, which, value);
+py::dict rockers_of(const synthesis::RockerSolutions& found) {
   py::list designs;
   for (const auto& each : found.designs) {
     py::dict one;
@@ -132,6 +137,27 @@ py::dict quick_return_rockers(const py::object& time_ratio, const py::object& ro
   all["degeneracy"] = word(found.degeneracy);
   all["circuit_defects"] = found.circuit_defects;
   return all;
+}
+
+py::dict quick_return_rockers(const py::object& time_ratio, const py::object& rocker,
+                              const py::object& swing, const std::string& given,
+                              const py::object& value) {
+  const synthesis::RockerTask task{time_ratio_of(time_ratio), length_of(rocker, "rocker"),
+                                   angle_of(swing, "swing", kPi)};
+  const std::size_t which =
+      word_of(py::str(given), "given",
+              {"crank", "coupler", "frame", "line", "outer_limit", "inner_limit", "best"});
+  return rockers_of(rockers(task, which, value));
+}
+
+py::dict quick_return_rockers_by_frame(const py::object& time_ratio, const py::object& rocker,
+                                       const py::object& frame, const std::string& given,
+                                       const py::object& value) {
+  const synthesis::RockerFrameTask task{time_ratio_of(time_ratio), length_of(rocker, "rocker"),
+                                        length_of(frame, "frame")};
+  const bool outer = word_of(py::str(given), "given", {"outer_limit", "inner_limit"}) == 0;
+  const auto limit = outer ? synthesis::RockerLimit::outer : synthesis::RockerLimit::inner;
+  return rockers_of(rockers_with_frame_at_limit(task, limit_angle_of(limit, value)));
 }
 
 /// `given`: offset, crank, coupler, or best, for which `value` is None.
@@ -232,6 +258,7 @@ py::dict quick_return_shaper(const py::object& time_ratio, const py::object& str
 
 void bind_exact_quick_returns(py::module_& module) {
   module.def("quick_return_rockers", &quick_return_rockers);
+  module.def("quick_return_rockers_by_frame", &quick_return_rockers_by_frame);
   module.def("quick_return_sliders", &quick_return_sliders);
   module.def("quick_return_guides", &quick_return_guides);
   module.def("quick_return_shaper", &quick_return_shaper);

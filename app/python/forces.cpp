@@ -128,8 +128,7 @@ void fill(const AnalysisProblem& problem, std::span<const double> angles, const 
 py::dict forces(const py::object& given_mechanism, const py::object& angles,
                 const py::object& speed, const py::object& acceleration, const py::dict& tables) {
   const auto& mechanism = object_of<Moved>(given_mechanism, "mechanism", "a cognate.Mechanism");
-  const bool slides =
-      std::holds_alternative<DrivingSlider<double>>(mechanism.named().mechanism.drive);
+  const bool slides = driven_by_length(mechanism.named().mechanism.drive);
   const AnalysisProblem given = read_problem(mechanism.tables(), tables, slides);
   const Numbers at(angles, "angles");
   const Rate speeds(speed, "speed", at.shape());

@@ -1,9 +1,11 @@
 #include "app/python/problem.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <memory>
+#include <set>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -169,26 +171,57 @@ py::object list(const py::object& of, bool metrics) {
   return to_python(*document);
 }
 
-std::optional<std::string> text(const py::dict& options, const char* name) {
-  if (!options.contains(name) || py::object(options[name]).is_none()) return std::nullopt;
-  return py::str(options[name]).cast<std::string>();
+/// "chord_tolerance" of "--chord-tolerance".
+std::string keyword(std::string_view option) {
+  std::string word(option.substr(2));
+  std::ranges::replace(word, '-', '_');
+  return word;
+}
+
+/// A value as the command line has it: lists with commas between.
+std::string option_text(const py::handle& value) {
+  if (!py::isinstance<py::list>(value) && !py::isinstance<py::tuple>(value)) {
+    return py::str(value).cast<std::string>();
+  }
+  std::string text;
+  for (const py::handle item : value) {
+    text += (text.empty() ? "" : ",") + py::str(item).cast<std::string>();
+  }
+  return text;
+}
+
+/// Why an option is none of an export, or has no value that it can have.
+std::vector<std::string> option_faults(const py::dict& options) {
+  std::set<std::string> known{"length_unit"}, flags;
+  for (const auto& option : app::kExportTexts) known.insert(keyword(option.name));
+  for (const auto& flag : app::kExportFlags) flags.insert(keyword(flag.name));
+  known.insert(flags.begin(), flags.end());
+  std::vector<std::string> faults;
+  for (const auto& [key, value] : options) {
+    const std::string name = py::str(key);
+    if (!known.contains(name)) {
+      faults.push_back(fmt::format("{}: is no option of an export; allowed are {}", name,
+                                   fmt::join(known, ", ")));
+    } else if (flags.contains(name) && !py::isinstance<py::bool_>(value)) {
+      faults.push_back(name + ": expected True or False");
+    }
+  }
+  return faults;
 }
 
 app::ExportOptions export_options(const py::dict& options) {
-  const app::ExportTexts texts{.format = text(options, "format"),
-                               .design = text(options, "design"),
-                               .chord_tolerance = text(options, "chord_tolerance"),
-                               .dxf_version = text(options, "dxf_version"),
-                               .curve = text(options, "curve"),
-                               .cutter_radius = text(options, "cutter_radius"),
-                               .position = text(options, "position"),
-                               .steps = text(options, "steps"),
-                               .parts = text(options, "parts") == "True",
-                               .hole = text(options, "hole"),
-                               .width = text(options, "width"),
-                               .clearance = text(options, "clearance"),
-                               .gap = text(options, "gap"),
-                               .thickness = text(options, "thickness")};
+  raise_arguments(option_faults(options));
+  app::ExportTexts texts;
+  for (const auto& [name, member] : app::kExportTexts) {
+    const std::string key = keyword(name);
+    if (options.contains(key) && !py::object(options[key.c_str()]).is_none()) {
+      texts.*member = option_text(options[key.c_str()]);
+    }
+  }
+  for (const auto& [name, member] : app::kExportFlags) {
+    const std::string key = keyword(name);
+    texts.*member = options.contains(key) && options[key.c_str()].cast<bool>();
+  }
   const auto read = app::export_options(texts);
   if (!read) raise_arguments(read.error());
   return *read;
@@ -200,9 +233,9 @@ py::dict export_files(const std::string& document, const std::string& name, cons
                       const py::dict& options) {
   const app::ExportOptions exporting = export_options(options);
   std::vector<std::string> faults;
-  const auto unit = parsed(
-      text(options, "length_unit") ? py::object(options["length_unit"]) : py::object(py::none()),
-      app::parse_length_unit, faults);
+  const auto unit =
+      parsed(options.contains("length_unit") ? py::object(options["length_unit"]) : py::none(),
+             app::parse_length_unit, faults);
   raise_arguments(faults);
   const auto design = app::parse_result_design(document, exporting.design, name)
                           .and_then([&](app::ResultDesign read) {

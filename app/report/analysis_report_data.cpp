@@ -7,6 +7,7 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "app/report/column_vectors.hpp"
+#include "app/report/drawn_number.hpp"
 #include "app/report/drawn_rows.hpp"
 #include "app/report/load_arrows.hpp"
 #include "app/report/mechanism_json.hpp"
@@ -25,8 +26,7 @@ constexpr std::size_t kAnalysisRows = 721, kAnalysisCells = 28'000;
 
 /// Whether the last position of the drive is the first one again.
 bool comes_round(const AnalysisProblem& problem) {
-  if (std::holds_alternative<DrivingSlider<double>>(problem.mechanism.mechanism.drive))
-    return false;
+  if (driven_by_length(problem.mechanism.mechanism.drive)) return false;
   const double turns = (problem.drive.end - problem.drive.start) / (kTurn);
   return std::abs(turns) > 0.5 && std::abs(turns - std::round(turns)) < 1e-9;
 }

@@ -21,6 +21,10 @@ file(READ page/index.html page)
 file(READ ${CONTENT} content)
 join(style ${STYLES})
 join_modules(${MAIN} script modules)
+# A page is for its reader: what is for those who read its sources would be a tenth of it.
+string(REGEX REPLACE "\n[ ]+" "\n" script "${script}")
+string(REGEX REPLACE "\n//[^\n]*" "" script "${script}")
+string(REGEX REPLACE "\n\n+" "\n" script "${script}")
 
 join(library_style ${LIBRARY_STYLES})
 set(library "")
@@ -38,6 +42,7 @@ foreach(file IN LISTS WORDS)
   string(APPEND words ",\"${language}\": ${text}")
 endforeach()
 string(SUBSTRING "${words}" 1 -1 words)
+string(REGEX REPLACE "\n[ ]+" "\n" words "${words}")
 
 string(REPLACE "@CONTENT@" "${content}" page "${page}")
 string(REPLACE "@STYLE@" "${library_style}\n${style}" page "${page}")

@@ -7,7 +7,7 @@
 #include "analysis/cam/profile.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "app/drawing/cam_drawing.hpp"
-#include "app/report/mechanism_json.hpp"
+#include "app/report/drawn_number.hpp"
 
 namespace cognate::app {
 namespace {

@@ -7,7 +7,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "app/drawing/cam_drawing.hpp"
 #include "app/report/cam_json.hpp"
-#include "app/report/mechanism_json.hpp"
+#include "app/report/drawn_number.hpp"
 #include "app/report/quantity_json.hpp"
 #include "problems/basics/names.hpp"
 
@@ -154,7 +154,7 @@ ordered_json cam_report_data(const CamProblem& problem, const CamResult& result)
   return {{"follower", problems::to_string(problem.follower)},
           {"flat", is_flat(problem.follower)},
           {"oscillating", is_oscillating(problem.follower)},
-          {"knife", problem.follower == cam::FollowerType::translating_knife},
+          {"knife", is_knife(problem.follower)},
           {"closure", problems::to_string(problem.second.closure)},
           {"clockwise", problem.clockwise},
           {"limits", limits_json(problem.constraints)},

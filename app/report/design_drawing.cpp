@@ -7,20 +7,22 @@
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/convex_hull.hpp"
 #include "app/drawing/design_motion.hpp"
-#include "app/drawing/drive_span.hpp"
 #include "app/drawing/mechanism_poses.hpp"
 #include "app/drawing/mechanism_shapes.hpp"
+#include "app/report/drawn_number.hpp"
 #include "app/report/guided_body.hpp"
 #include "app/report/mechanism_json.hpp"
 #include "app/report/report_data.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/guidance/design.hpp"
+#include "problems/linkage/drive_span.hpp"
 
 namespace cognate::app {
 namespace {
 
 using nlohmann::ordered_json;
 using problems::Design;
+using problems::drive_span;
 using synthesis::Pose;
 
 ordered_json drawn_degrees(const std::vector<double>& angles) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/report/mechanism_json.hpp"
+#include "app/report/drawn_number.hpp"
 
 namespace cognate::app {
 namespace {

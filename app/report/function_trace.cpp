@@ -5,32 +5,62 @@
 
 #include "analysis/linkage/motion.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "app/report/report_data.hpp"
 
 namespace cognate::app {
+namespace {
 
-FunctionTrace function_trace(const problems::FunctionProblem& problem,
-                             const problems::FunctionSamples& wanted,
-                             const problems::Design& design) {
+nlohmann::ordered_json rounded_degrees(const std::vector<double>& angles) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const double angle : angles) {
+    list.push_back(round_to_digits(kDegreesInRadian * angle, kDrawnDigits));
+  }
+  return list;
+}
+
+}  // namespace
+
+FunctionTrace function_trace(
+    const problems::FunctionOfX* function, const problems::FunctionSamples& wanted, double start,
+    const std::function<std::optional<double>(const synthesis::AnglePair&)>& error_at) {
   FunctionTrace trace;
-  const auto &input_start = design.metrics.input_start, &output_start = design.metrics.output_start;
-  if (!input_start || !output_start || !design.mechanism.four_bar()) return trace;
-  const auto* function = std::get_if<problems::FunctionOfX>(&problem.target);
   const auto& pairs = function ? wanted.range : wanted.samples;
-  const double frame = frame_angle(four_bar(design));
-  const Motion motion(four_bar(design));
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const double crank = frame + *input_start + pairs[i].input;
-    const auto pose = motion.at(crank);
-    if (!pose) continue;
-    const double output = frame + *output_start + pairs[i].output;
+    const auto error = error_at(pairs[i]);
+    if (!error) continue;
     if (function) {
       const double share = static_cast<double>(i) / static_cast<double>(pairs.size() - 1);
       trace.x.push_back(std::lerp(function->domain.min, function->domain.max, share));
     }
-    trace.crank.push_back(crank);
-    trace.error.push_back(std::remainder(pose->rocker_angle - output, kTurn));
+    trace.crank.push_back(start + pairs[i].input);
+    trace.error.push_back(std::remainder(*error, kTurn));
   }
   return trace;
+}
+
+FunctionTrace function_trace(const problems::FunctionProblem& problem,
+                             const problems::FunctionSamples& wanted,
+                             const problems::Design& design) {
+  const auto &input_start = design.metrics.input_start, &output_start = design.metrics.output_start;
+  if (!input_start || !output_start || !design.mechanism.four_bar()) return {};
+  const double frame = frame_angle(four_bar(design)), start = frame + *input_start;
+  const Motion motion(four_bar(design));
+  const auto error_at = [&](const synthesis::AnglePair& pair) -> std::optional<double> {
+    const auto pose = motion.at(start + pair.input);
+    if (!pose) return std::nullopt;
+    return pose->rocker_angle - (frame + *output_start + pair.output);
+  };
+  return function_trace(std::get_if<problems::FunctionOfX>(&problem.target), wanted, start,
+                        error_at);
+}
+
+nlohmann::ordered_json trace_json(const FunctionTrace& trace) {
+  using nlohmann::ordered_json;
+  ordered_json x = ordered_json::array();
+  for (const double value : trace.x) x.push_back(round_to_digits(value, kDrawnDigits));
+  return {{"x", trace.x.empty() ? ordered_json(nullptr) : x},
+          {"crank_deg", rounded_degrees(trace.crank)},
+          {"error_deg", rounded_degrees(trace.error)}};
 }
 
 }  // namespace cognate::app

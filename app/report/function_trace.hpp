@@ -1,6 +1,9 @@
 /// @file The structural error of a function generator, sampled for drawing.
 #pragma once
 
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <vector>
 
 #include "problems/function/problem.hpp"
@@ -16,11 +19,21 @@ struct FunctionTrace {
   std::vector<double> error;  ///< rocker angle generated less wanted, in [−π, π]
 };
 
+/// The structural error over the whole domain in equal steps, or at the angle pairs, by `error_at`,
+/// which is empty where the mechanism does not close: such positions are left out. `start`: the
+/// crank's angle at the start, from the x axis.
+FunctionTrace function_trace(
+    const problems::FunctionOfX* function, const problems::FunctionSamples& wanted, double start,
+    const std::function<std::optional<double>(const synthesis::AnglePair&)>& error_at);
+
 /// The structural error of `design` over the whole domain in equal steps, or at the angle pairs.
 /// Positions in which the linkage does not close are left out; empty arrays where the design has no
 /// start angles.
 FunctionTrace function_trace(const problems::FunctionProblem& problem,
                              const problems::FunctionSamples& wanted,
                              const problems::Design& design);
+
+/// The trace as pages read it: `x`, null for angle pairs, `crank_deg` and `error_deg`.
+nlohmann::ordered_json trace_json(const FunctionTrace& trace);
 
 }  // namespace cognate::app

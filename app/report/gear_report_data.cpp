@@ -10,7 +10,7 @@
 #include "analysis/gear/spur_gear.hpp"
 #include "analysis/gear/tooth_outline.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "app/report/mechanism_json.hpp"
+#include "app/report/drawn_number.hpp"
 #include "app/report/quantity_json.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/gear/pair_design.hpp"

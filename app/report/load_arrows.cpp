@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/mechanism/followed_motion.hpp"
-#include "app/report/mechanism_json.hpp"
+#include "app/report/drawn_number.hpp"
 #include "problems/basics/length_unit.hpp"
 #include "problems/evaluation/active_loads.hpp"
 #include "problems/evaluation/drive_rows.hpp"
@@ -95,6 +95,10 @@ void add_drive(const AnalysisProblem& problem, const problems::AnalysisResult& r
   const auto& drive = problem.mechanism.mechanism.drive;
   const auto* slider = std::get_if<DrivingSlider<double>>(&drive);
   entry["direction"] = slider ? drawn_vector(slider->guide.direction) : ordered_json(nullptr);
+  if (std::holds_alternative<DrivingRod<double>>(drive)) {
+    entry["direction"] = drawn_vector({1, 0});
+    entry["turns"] = true;
+  }
   list.push_back(entry);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/report/drawn_number.hpp"
 #include "app/report/drawn_rows.hpp"
 #include "app/report/mechanism_json.hpp"
 #include "app/report/quantity_json.hpp"

@@ -8,13 +8,14 @@
 #include "analysis/numbers/constants.hpp"
 #include "app/drawing/mechanism_poses.hpp"
 #include "app/drawing/mechanism_shapes.hpp"
-#include "app/report/report_data.hpp"
+#include "app/report/drawn_number.hpp"
 
 namespace cognate::app {
 namespace {
 
 using nlohmann::ordered_json;
 using problems::AnalysisProblem;
+using problems::DriveSpan;
 using problems::DriveSweep;
 using problems::NamedMechanism;
 
@@ -90,15 +91,8 @@ ordered_json points_json(const NamedMechanism& mechanism) {
 
 }  // namespace
 
-ordered_json drawn(double x) {
-  if (!std::isfinite(x)) return nullptr;
-  return round_to_digits(x, kDrawnDigits);
-}
-
 double drive_unit(const NamedMechanism& mechanism) {
-  return std::holds_alternative<DrivingSlider<double>>(mechanism.mechanism.drive)
-             ? 1
-             : kDegreesInRadian;
+  return driven_by_length(mechanism.mechanism.drive) ? 1 : kDegreesInRadian;
 }
 
 ordered_json mechanism_motion_json(const NamedMechanism& mechanism, const DriveSpan& span,
@@ -121,7 +115,7 @@ ordered_json mechanism_json(const AnalysisProblem& problem) {
 }
 
 ordered_json drive_json(const NamedMechanism& mechanism, const DriveSpan& span) {
-  const bool slides = std::holds_alternative<DrivingSlider<double>>(mechanism.mechanism.drive);
+  const bool slides = driven_by_length(mechanism.mechanism.drive);
   const double unit = drive_unit(mechanism);
   return {{"name", mechanism.bodies.size() > 1 ? mechanism.bodies[1] : "drive"},
           {"kind", slides ? "slider" : "angle"},

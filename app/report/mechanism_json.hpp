@@ -3,13 +3,10 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/drawing/drive_span.hpp"
 #include "problems/evaluation/problem.hpp"
+#include "problems/linkage/drive_span.hpp"
 
 namespace cognate::app {
-
-/// `x` to the digits of a drawing; null where it is not a number.
-nlohmann::ordered_json drawn(double x);
 
 /// 180/π, or 1 where the drive is a slider: from the drive's coordinate to what is shown of it.
 double drive_unit(const problems::NamedMechanism& mechanism);
@@ -19,13 +16,14 @@ double drive_unit(const problems::NamedMechanism& mechanism);
 /// number where it never changes, null where the body cannot be placed; and its shape in its own
 /// axes), `pins` and `points` (with their places on bodies).
 nlohmann::ordered_json mechanism_motion_json(const problems::NamedMechanism& mechanism,
-                                             const DriveSpan& span, int samples);
+                                             const problems::DriveSpan& span, int samples);
 
 /// The same over the sweep of an analysis. Few enough samples are taken of a mechanism of many
 /// bodies to keep the page small.
 nlohmann::ordered_json mechanism_json(const problems::AnalysisProblem& problem);
 
 /// The drive as a page moves it: `name`, `kind` ("angle" or "slider"), `from`, `to`, `round`.
-nlohmann::ordered_json drive_json(const problems::NamedMechanism& mechanism, const DriveSpan& span);
+nlohmann::ordered_json drive_json(const problems::NamedMechanism& mechanism,
+                                  const problems::DriveSpan& span);
 
 }  // namespace cognate::app

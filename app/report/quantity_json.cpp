@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/report/mechanism_json.hpp"
+#include "app/report/drawn_number.hpp"
 #include "problems/linkage/constraint_words.hpp"
 
 namespace cognate::app {

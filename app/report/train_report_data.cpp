@@ -4,7 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "app/report/mechanism_json.hpp"
+#include "app/report/drawn_number.hpp"
 #include "app/report/quantity_json.hpp"
 #include "problems/train/resolve.hpp"
 

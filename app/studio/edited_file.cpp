@@ -51,8 +51,7 @@ FileVersion EditedFile::version() const {
   return version_;
 }
 
-bool EditedFile::take_from_disk() {
-  auto text = text_on_disk(path_);
+bool EditedFile::take(tl::expected<std::string, std::string> text) {
   if (!text || *text == version_.text) return false;
   version_ = {version_.number + 1, std::move(*text)};
   return true;
@@ -60,12 +59,16 @@ bool EditedFile::take_from_disk() {
 
 bool EditedFile::look() {
   const std::lock_guard lock(mutex_);
-  return watch_.has_changed() && take_from_disk();
+  if (!watch_.has_changed()) return false;
+  auto text = text_on_disk(path_);
+  // What is read while another program writes is half a text; the whole one is reported in its
+  // turn.
+  return watch_.is_as_reported() && take(std::move(text));
 }
 
 tl::expected<FileVersion, SaveFault> EditedFile::save(std::string_view text, std::uint64_t edited) {
   const std::lock_guard lock(mutex_);
-  take_from_disk();
+  take(text_on_disk(path_));
   if (edited != version_.number) {
     return tl::unexpected(SaveFault{true, "the file has been saved by another program meanwhile"});
   }

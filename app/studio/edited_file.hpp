@@ -48,8 +48,8 @@ class EditedFile {
  private:
   EditedFile(std::filesystem::path path, std::string text);
 
-  /// Takes what stands on the disk as a new version if it is another text.
-  bool take_from_disk();
+  /// Makes `text` a new version if it is another one.
+  bool take(tl::expected<std::string, std::string> text);
 
   const std::filesystem::path path_;
   FileWatch watch_;

@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "app/documents/layers_catalogue.hpp"
 #include "app/documents/tolerance_catalogue.hpp"
 #include "app/kinds/kinds.hpp"
 
@@ -112,6 +113,7 @@ std::vector<MetricList> metric_lists() {
     all.insert(all.end(), own.begin(), own.end());
   });
   all.push_back({"tolerance_metrics", "metric where a file has tolerances", kToleranceMetrics});
+  all.push_back({"layers_metrics", "metric of designs where a file has layers", kLayersMetrics});
   all.push_back({"facts", "fact of a synthesis", quantities(), false});
   all.push_back({"study_metrics", "further metric of a study", study_extras()});
   return all;

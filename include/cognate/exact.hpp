@@ -18,6 +18,7 @@
 #include "synthesis/exact/nine_point/constrained_path.hpp"
 #include "synthesis/exact/nine_point/nine_point.hpp"
 #include "synthesis/exact/quick_return/guide.hpp"
+#include "synthesis/exact/quick_return/limit_angle.hpp"
 #include "synthesis/exact/quick_return/quick_return.hpp"
 #include "synthesis/exact/quick_return/rocker.hpp"
 #include "synthesis/exact/quick_return/shaper.hpp"

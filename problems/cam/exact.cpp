@@ -71,7 +71,7 @@ SizeProof proof_of(const CamProblem& problem, const synthesis::SmallestCam& smal
 
 std::optional<ExactCam> exact_roller(const CamProblem& problem,
                                      const cam::MotionProgramme& programme) {
-  const bool swings = problem.follower == FollowerType::oscillating_roller;
+  const bool swings = has_arm(problem.follower);
   const CamLength& offset = problem.length(CamDimension::offset);
   const auto smallest =
       swings ? synthesis::smallest_oscillating(programme, limits_of(problem), problem.side,
@@ -106,6 +106,7 @@ bool frees_only_what_is_exact(const CamProblem& problem) {
   const bool arm = is_free(problem, CamDimension::arm);
   switch (problem.follower) {
     case FollowerType::oscillating_roller:
+    case FollowerType::oscillating_knife:
       return !arm && is_free(problem, CamDimension::centre_distance);
     case FollowerType::oscillating_flat:
       return false;

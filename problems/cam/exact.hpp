@@ -18,8 +18,9 @@ struct ExactCam {
 };
 
 /// For size as the objective, nothing of the motion free, and besides the base radius free: of a
-/// translating roller or knife edge nothing or the offset; of an oscillating roller the centre
-/// distance; of a sliding flat face nothing; a roller's radius may be free too. Nothing else.
+/// translating roller or knife edge nothing or the offset; of an oscillating roller or knife edge
+/// the centre distance; of a sliding flat face nothing; a roller's radius may be free too. Nothing
+/// else.
 std::optional<ExactCam> exact_cam(const CamProblem& problem, const cam::MotionProgramme& programme);
 
 }  // namespace cognate::problems

@@ -13,7 +13,8 @@ constexpr Named<cam::FollowerType> kFollowerTypes[] = {
     {"translating-flat", cam::FollowerType::translating_flat},
     {"translating-knife", cam::FollowerType::translating_knife},
     {"oscillating-roller", cam::FollowerType::oscillating_roller},
-    {"oscillating-flat", cam::FollowerType::oscillating_flat}};
+    {"oscillating-flat", cam::FollowerType::oscillating_flat},
+    {"oscillating-knife", cam::FollowerType::oscillating_knife}};
 constexpr Named<cam::ArmSide> kArmSides[] = {{"trailing", cam::ArmSide::trailing},
                                              {"leading", cam::ArmSide::leading}};
 constexpr Named<cam::Closure> kClosures[] = {{"force", cam::Closure::force},

@@ -73,7 +73,7 @@ void add_cusp(const CamProblem& problem, const CamDesign& design, std::vector<st
   const auto convex = CamExtremes(design.cam).convex_radius();
   const double size = design.cam.system.follower.dimensions.base_radius;
   if (!convex || std::abs(convex->value) > 1e-6 * size) return;
-  if (problem.follower == cam::FollowerType::translating_knife) return;
+  if (is_knife(problem.follower)) return;
   notes.push_back(
       fmt::format("The profile comes to a point at {:.6g}°; curvature_radius_min keeps it rounder.",
                   degrees(convex->angle)));

@@ -117,6 +117,7 @@ bool can_be_assembled(const CamProblem& problem, const Dimensions& d, double sta
     case cam::FollowerType::oscillating_flat:
       return std::abs(start) < kRightAngle;
     case cam::FollowerType::oscillating_roller:
+    case cam::FollowerType::oscillating_knife:
       return start > 0 && start < kPi;
     default:
       return std::abs(d.offset) < d.base_radius;
@@ -143,7 +144,7 @@ std::optional<double> pressure_if_kept(const CamProblem& problem, CamDesign& des
 double assembly_bound(const CamProblem& problem, const Dimensions& d) {
   const bool slides = !is_oscillating(problem.follower) && !is_flat(problem.follower);
   const double beside = slides ? std::abs(d.offset) : 0;
-  const bool swings = problem.follower == cam::FollowerType::oscillating_roller;
+  const bool swings = has_arm(problem.follower);
   const double between = swings ? std::abs(d.centre_distance - d.arm) : 0;
   return std::max({d.roller_radius, beside, between}) * (1 - kBelowBound);
 }
@@ -156,7 +157,7 @@ double base_bound(CamProblem& alone, const Dimensions& d, const cam::MotionProgr
     if (length.used) length.given = length_of(values, dimension);
   }
   alone.length(CamDimension::base_radius).given.reset();
-  if (alone.follower == cam::FollowerType::oscillating_roller) {
+  if (has_arm(alone.follower)) {
     alone.length(CamDimension::centre_distance).given.reset();
   }
   const auto exact = exact_cam(alone, programme);

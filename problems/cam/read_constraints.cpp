@@ -85,7 +85,7 @@ void check_contact_objective(TableReader& target, std::string_view key, const Ca
 void read_forces(TableReader& table, const CamProblem& problem, CamConstraints& constraints) {
   check_contact(table, kForce, problem, false);
   check_known(table, kTorque, problem, false);
-  const bool knife = problem.follower == FollowerType::translating_knife;
+  const bool knife = is_knife(problem.follower);
   refuse_where(table, kStress, knife, problem.follower, "presses without limit");
   if (!knife) check_contact(table, kStress, problem, true);
   constraints.no_separation = table.boolean(kSeparation).value_or(true);
@@ -134,7 +134,7 @@ void read_cam_objective(TableReader& target, CamProblem& problem) {
     case CamObjective::torque:
       return check_known(target, kObjective, problem, false);
     case CamObjective::contact_stress:
-      if (problem.follower == FollowerType::translating_knife) {
+      if (is_knife(problem.follower)) {
         target.fault(kObjective,
                      "is \"contact-stress\", which is infinite under a knife edge; "
                      "expected another objective, or a roller");

@@ -98,6 +98,8 @@ std::string_view in_words(FollowerType type) {
       return "an oscillating roller";
     case FollowerType::oscillating_flat:
       return "an oscillating flat face";
+    case FollowerType::oscillating_knife:
+      return "an oscillating knife edge";
   }
   return {};
 }

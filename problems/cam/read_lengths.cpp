@@ -26,7 +26,7 @@ bool is_used(CamDimension dimension, FollowerType type) {
     case CamDimension::centre_distance:
       return is_oscillating(type);
     case CamDimension::arm:
-      return type == FollowerType::oscillating_roller;
+      return has_arm(type);
     case CamDimension::face_offset:
       return type == FollowerType::oscillating_flat;
   }
@@ -70,14 +70,14 @@ Range read_bounds(TableReader& bounds, CamDimension dimension) {
 
 std::optional<double> read_given(TableReader& table, CamDimension dimension, FollowerType type) {
   const std::string_view key = to_string(dimension);
-  if (dimension != CamDimension::roller_radius || type != FollowerType::translating_knife) {
+  if (dimension != CamDimension::roller_radius || !is_knife(type)) {
     return table.number(key, is_signed(dimension) ? kQuantity : kLinkLength);
   }
   const auto radius = table.number(key, kRadiusOrNone);
   if (radius.value_or(0) != 0) {
     table.fault(key, fmt::format("is {}, but a knife edge has none; expected 0, or type = "
-                                 "\"translating-roller\"",
-                                 *radius));
+                                 "\"{}-roller\"",
+                                 *radius, is_oscillating(type) ? "oscillating" : "translating"));
   }
   return 0;
 }
@@ -167,8 +167,9 @@ void check_arm(CamLengthTables& tables, const CamProblem& problem) {
     tables.mechanism.fault(
         "base_radius",
         fmt::format("is {}, but an arm of {} about a pivot {} from the cam's centre carries its "
-                    "roller from {} to {} from there; expected a base radius between these",
-                    *base, *arm, *centre, least, most));
+                    "{} from {} to {} from there; expected a base radius between these",
+                    *base, *arm, *centre, is_knife(problem.follower) ? "edge" : "roller", least,
+                    most));
     return;
   }
   const double up = (*base - least) * (*base + least), down = (most - *base) * (most + *base);
@@ -213,7 +214,7 @@ void check_cam_assembly(CamLengthTables& tables, const CamProblem& problem) {
   }
   if (!is_oscillating(type) && !is_flat(type)) check_offset(tables, problem);
   if (!is_flat(type)) check_roller(tables, problem);
-  if (type == FollowerType::oscillating_roller) check_arm(tables, problem);
+  if (has_arm(type)) check_arm(tables, problem);
   if (type == FollowerType::oscillating_flat) check_face(tables, problem);
 }
 

@@ -96,7 +96,7 @@ void read_cam_operation(TableReader& document, TableReader& follower, CamProblem
   drive.finish();
   if (!document.has("contact")) return;
   TableReader contact = document.table("contact");
-  if (problem.follower == cam::FollowerType::translating_knife) {
+  if (is_knife(problem.follower)) {
     document.fault("contact",
                    "is given, but a knife edge presses without limit; remove it, or "
                    "take a roller");

@@ -255,31 +255,12 @@ class Exchange {
   double reached_ = 0;            ///< the objective at the positions of the last relaxation
 };
 
-bool is_possible(const Cam& cam) {
-  const auto& d = cam.system.follower.dimensions;
-  return std::isfinite(cam.system.start) && std::isfinite(d.base_radius) && d.base_radius > 0;
-}
-
 }  // namespace
-
-std::optional<Cam> cam_at(const CamVariables& variables, std::span<const double> x) {
-  auto programme = programme_of(variables.motion(x));
-  if (!programme) return std::nullopt;
-  Cam made{variables.system<double>(x), *std::move(programme)};
-  if (!is_possible(made)) return std::nullopt;
-  return made;
-}
 
 std::optional<CamCandidate> search_cam(const CamVariables& variables, std::vector<double> start,
                                        synthesis::Solver solver, const Deadline& deadline,
                                        Work& work) {
   return Exchange(variables, solver, deadline, work).run(std::move(start));
-}
-
-bool is_better(const CamCandidate& a, const CamCandidate& b) {
-  const bool a_keeps = a.violation <= kCamFeasibility, b_keeps = b.violation <= kCamFeasibility;
-  if (a_keeps != b_keeps) return a_keeps;
-  return a_keeps ? a.objective < b.objective : a.violation < b.violation;
 }
 
 }  // namespace cognate::problems

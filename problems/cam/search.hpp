@@ -11,9 +11,6 @@
 
 namespace cognate::problems {
 
-/// The cam at `x`; nothing where it cannot be put together or its motion has no pieces.
-std::optional<cam::Cam> cam_at(const CamVariables& variables, std::span<const double> x);
-
 /// Where a search ended.
 struct CamCandidate {
   std::vector<double> x;
@@ -30,10 +27,14 @@ std::optional<CamCandidate> search_cam(const CamVariables& variables, std::vecto
                                        synthesis::Solver solver, const Deadline& deadline,
                                        Work& work);
 
-/// Whether `a` is the better: feasible before infeasible, then by the objective, or the violation.
-bool is_better(const CamCandidate& a, const CamCandidate& b);
-
 /// What counts as no violation: solvers reach constraints to about this.
 inline constexpr double kCamFeasibility = 1e-10;
+
+/// Whether `a` is the better: feasible before infeasible, then by the objective, or the violation.
+inline bool is_better(const CamCandidate& a, const CamCandidate& b) {
+  const bool a_keeps = a.violation <= kCamFeasibility, b_keeps = b.violation <= kCamFeasibility;
+  if (a_keeps != b_keeps) return a_keeps;
+  return a_keeps ? a.objective < b.objective : a.violation < b.violation;
+}
 
 }  // namespace cognate::problems

@@ -21,6 +21,7 @@
 #include "problems/cam/variables.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/raster/run_parts.hpp"
 #include "problems/search/solver_origin.hpp"
 
 namespace cognate::problems {
@@ -100,6 +101,8 @@ using Ends = std::vector<std::optional<CamCandidate>>;  ///< one for each start
 constexpr std::size_t kStarts = 12, kManyPieces = 2000;
 /// Starts that a second solver takes up where the first found no cam that keeps every limit.
 constexpr std::size_t kRetried = 3;
+/// Share of the search, for progress, after the first of two solvers.
+constexpr double kFirstSolverDone = 0.8;
 
 int starts_for(const cam::MotionProgramme& programme) {
   const std::size_t share = kStarts * kManyPieces / (programme.pieces().size() + 1);
@@ -231,8 +234,12 @@ class CamSolver {
     const bool helped = exact && sought_.solve.solver == Solver::automatic;
     if (helped) starts.insert(starts.begin(), variables_.values(exact->dimensions));
     Ends ends(starts.size());
+    const double first_done = solvers.size() > 1 ? kFirstSolverDone : 1;
     for (const Solver solver : solvers) {
-      refine(starts, solver, ends);
+      const bool is_first = solver == solvers.front();
+      run_.enter(Phase::search, is_first ? first_done : 1);
+      refine(starts, solver, part_of(run_, is_first ? 0 : first_done, is_first ? first_done : 1),
+             ends);
       const bool found = std::ranges::any_of(
           ends, [](const auto& end) { return end && end->violation <= kCamFeasibility; });
       if (found || deadline_.reached()) break;
@@ -242,7 +249,8 @@ class CamSolver {
   }
 
   /// Brings every start to its end, which replaces that of its index where it is better.
-  void refine(const std::vector<std::vector<double>>& starts, Solver solver, Ends& ends) {
+  void refine(const std::vector<std::vector<double>>& starts, Solver solver, const Run& run,
+              Ends& ends) {
     std::vector<Work> work(starts.size());
     double best = std::numeric_limits<double>::infinity();  // of those of thread 0
     parallel_for(static_cast<int>(starts.size()), run_.threads, [&](int index, int thread) {
@@ -250,11 +258,11 @@ class CamSolver {
       if (index > 0 && deadline_.reached()) return;
       const auto end = search_cam(variables_, starts[i], solver, deadline_, work[i]);
       if (end && (!ends[i] || is_better(*end, *ends[i]))) ends[i] = end;
-      if (thread != 0 || !run_.progress) return;
+      if (thread != 0 || !run.progress) return;
       if (ends[i] && ends[i]->violation <= kCamFeasibility) {
         best = std::min(best, ends[i]->objective);
       }
-      run_.progress(double(i + 1) / double(starts.size()), best);
+      run.progress(double(i + 1) / double(starts.size()), best);
     });
     add_work(work);
   }
@@ -312,11 +320,13 @@ void solve_on_raster(const CamProblem& problem, const cam::MotionProgramme& prog
   CamProblem free = between_raster_values(problem);
   free.solve.designs = 1;
   CamResult between;
-  CamSolver(free, programme, run, deadline, between).solve();
+  const Run before = part_of(run, 0, kBetweenValuesDone);
+  CamSolver(free, programme, before, deadline, between).solve();
   result.work = between.work;
   const bool is_kept =
       !between.designs.empty() && all_satisfied(between.designs.front().constraints);
   const CamProblem pressed = with_preload(problem, programme);
+  run.enter(Phase::raster, kUnknownEnd);
   const CamRasterAnswer answer = search_cam_raster(pressed, programme, run, deadline);
   result.work.candidates += answer.evaluated;
   for (const auto& dimensions : answer.best) {

@@ -315,6 +315,7 @@ ToleranceResult tolerances_of(const CamProblem& problem, const CamDesign& design
 void add_tolerances(const CamProblem& problem, const Run& run, const Deadline& deadline,
                     CamResult& result) {
   if (!problem.tolerances) return;
+  run.enter(Phase::tolerances, kUnknownEnd);
   for (std::size_t i = 0; i < std::min(result.designs.size(), kMostCams); ++i) {
     CamDesign& design = result.designs[i];
     design.tolerance = tolerances_of(problem, design, run, deadline);

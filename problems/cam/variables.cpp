@@ -54,6 +54,11 @@ void keep_whole(cam::MotionSegment& segment) {
   for (double* share : {&sine, &constant, &cosine}) *share /= sum;
 }
 
+bool is_possible(const cam::Cam& cam) {
+  const auto& d = cam.system.follower.dimensions;
+  return std::isfinite(cam.system.start) && std::isfinite(d.base_radius) && d.base_radius > 0;
+}
+
 }  // namespace
 
 CamVariables::CamVariables(const CamProblem& problem)
@@ -136,6 +141,14 @@ std::vector<double> CamVariables::values(const cam::CamDimensions<double>& d) co
     x[place++] = value[static_cast<int>(free.parameter)];
   }
   return x;
+}
+
+std::optional<cam::Cam> cam_at(const CamVariables& variables, std::span<const double> x) {
+  auto programme = programme_of(variables.motion(x));
+  if (!programme) return std::nullopt;
+  cam::Cam made{variables.system<double>(x), *std::move(programme)};
+  if (!is_possible(made)) return std::nullopt;
+  return made;
 }
 
 }  // namespace cognate::problems

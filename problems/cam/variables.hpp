@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "analysis/cam/cam.hpp"
 #include "analysis/cam/contact.hpp"
 #include "analysis/cam/quantity.hpp"
 #include "problems/cam/problem.hpp"
@@ -55,6 +57,9 @@ class CamVariables {
   double unit_ = 1;
 };
 
+/// The cam at `x`; nothing where it cannot be put together or its motion has no pieces.
+std::optional<cam::Cam> cam_at(const CamVariables& variables, std::span<const double> x);
+
 /// The base radius of a follower that stands at `start` when its displacement is 0.
 template <class T>
 T base_radius_at(cam::FollowerType type, const cam::CamDimensions<T>& d, const T& start) {
@@ -65,7 +70,8 @@ T base_radius_at(cam::FollowerType type, const cam::CamDimensions<T>& d, const T
       return start;
     case cam::FollowerType::oscillating_flat:
       return d.centre_distance * sin(start) - d.face_offset;
-    case cam::FollowerType::oscillating_roller: {
+    case cam::FollowerType::oscillating_roller:
+    case cam::FollowerType::oscillating_knife: {
       const T half = sin(T(0.5) * start);
       const T across = d.centre_distance - d.arm;
       return sqrt(across * across + T(4) * d.centre_distance * d.arm * half * half);

@@ -22,7 +22,7 @@ double log_uniform(std::mt19937_64& random, double low, double high) {
   return std::exp(uniform(random, std::log(low), std::log(high)));
 }
 
-const DrawnCurve& drawn_cranks() {
+const DrawnCurve& whole_turn() {
   static const DrawnCurve directions = [] {
     DrawnCurve all;
     for (int i = 0; i < kDrawnPositions; ++i) {
@@ -49,8 +49,13 @@ Distances distances(const DrawnCurve& a, const DrawnCurve& b) {
 
 class Drawing {
  public:
-  Drawing(const ChainSpace& space, std::mt19937_64& random)
-      : space_(space), random_(random), curves_(space.lines.size()) {
+  /// `is_part`: the positions are those of a part of the turn.
+  Drawing(const ChainSpace& space, const DrawnCurve& cranks, bool is_part, std::mt19937_64& random)
+      : space_(space),
+        cranks_(cranks),
+        is_part_(is_part),
+        random_(random),
+        curves_(space.lines.size()) {
     drawn_.design.parameters.resize(space.given.size());
     drawn_.design.side.assign(space.lines.size(), 0);
     placed_.assign(space.lines.size(), false);
@@ -107,8 +112,9 @@ class Drawing {
     const bool anchored = space_.is_anchored();
     if (!placed_[pivot]) put_pivot(pivot, anchored ? around({}, 3) : Vec2d{});
     const double length = put(k, 0, anchored ? log_uniform(random_, 0.1, 2) : 1);
+    if (is_part_) least_radius_ = length;
     for (std::size_t i = 0; i < curves_[k].size(); ++i) {
-      curves_[k][i] = curves_[pivot][i] + length * drawn_cranks()[i];
+      curves_[k][i] = curves_[pivot][i] + length * cranks_[i];
     }
     return true;
   }
@@ -117,23 +123,29 @@ class Drawing {
     return centre + uniform(random_, 0, farthest) * unit_vector(uniform(random_, 0, kTurn));
   }
 
-  /// A pivot somewhere beside the curve of the point with which its dyad joins it.
-  void place_pivot_beside(std::size_t pivot, std::size_t other) {
+  /// A pivot somewhere beside the curve of the point with which dyad k joins it; where both lengths
+  /// are given, as far from there as these reach.
+  void place_pivot_beside(std::size_t k, std::size_t pivot, std::size_t other) {
     Vec2d centre;
     for (const Vec2d& point : curves_[other]) centre = centre + (1.0 / kDrawnPositions) * point;
     double square = 0;
     for (const Vec2d& point : curves_[other]) square += squared_norm(point - centre);
-    const double radius = std::sqrt(square / kDrawnPositions);
-    put_pivot(pivot, centre + (radius * log_uniform(random_, 0.7, 6)) *
-                                  unit_vector(uniform(random_, 0, kTurn)));
+    const double radius = std::max(least_radius_, std::sqrt(square / kDrawnPositions));
+    const Vec2d direction = unit_vector(uniform(random_, 0, kTurn));
+    double distance = radius * log_uniform(random_, 0.7, 6);
+    const auto first = given(k, 0), second = given(k, 1);
+    if (first && second) {
+      distance = uniform(random_, std::abs(*first - *second), *first + *second);
+    }
+    put_pivot(pivot, centre + distance * direction);
   }
 
   bool draw_dyad(std::size_t k) {
     const ChainLine& line = space_.lines[k].line;
     const auto p = static_cast<std::size_t>(line.first), q = static_cast<std::size_t>(line.second);
     if (!placed(p) && !placed(q)) put_pivot(p, around({}, 3));
-    if (!placed(p)) place_pivot_beside(p, q);
-    if (!placed(q)) place_pivot_beside(q, p);
+    if (!placed(p)) place_pivot_beside(k, p, q);
+    if (!placed(q)) place_pivot_beside(k, q, p);
     const auto lengths = draw_lengths(k, distances(curves_[p], curves_[q]));
     if (!lengths) return false;
     const double a = put(k, 0, lengths->x), b = put(k, 1, lengths->y);
@@ -192,6 +204,10 @@ class Drawing {
   }
 
   const ChainSpace& space_;
+  const DrawnCurve& cranks_;
+  bool is_part_;
+  /// Of curves beside which pivots stand: those of a part of the turn may be as short as one likes.
+  double least_radius_ = 0;
   std::mt19937_64& random_;
   DrawnChain drawn_;
   std::vector<DrawnCurve> curves_;
@@ -201,7 +217,12 @@ class Drawing {
 }  // namespace
 
 std::optional<DrawnChain> draw(const ChainSpace& space, std::mt19937_64& random) {
-  return Drawing(space, random).chain();
+  return Drawing(space, whole_turn(), false, random).chain();
+}
+
+std::optional<DrawnChain> draw(const ChainSpace& space, const DrawnCurve& cranks,
+                               std::mt19937_64& random) {
+  return Drawing(space, cranks, true, random).chain();
 }
 
 }  // namespace cognate::problems

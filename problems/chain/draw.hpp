@@ -1,4 +1,5 @@
-/// @file Chains drawn at random, all of which can be assembled over the whole turn of the crank.
+/// @file Chains drawn at random, all of which can be assembled over the whole turn of the crank or
+/// where it is to turn.
 #pragma once
 
 #include <array>
@@ -25,5 +26,9 @@ struct DrawnChain {
 /// that they join, so that transmission angles are within the limit by construction. Empty where
 /// the draw came to nothing.
 std::optional<DrawnChain> draw(const ChainSpace& space, std::mt19937_64& random);
+
+/// The same for other positions, the directions `cranks` of the crank.
+std::optional<DrawnChain> draw(const ChainSpace& space, const DrawnCurve& cranks,
+                               std::mt19937_64& random);
 
 }  // namespace cognate::problems

@@ -6,9 +6,12 @@ namespace cognate::problems {
 
 void transmission_constraints(FreeChain& chain, double limit,
                               std::span<const TransmissionCheck> checks, std::size_t columns,
-                              std::span<double> c, std::span<double> jacobian) {
+                              std::span<double> c, std::span<double> jacobian,
+                              std::optional<CheckTurn> turn) {
   for (std::size_t k = 0; k < checks.size(); ++k) {
-    const double cosine = chain.cosine(checks[k]);
+    TransmissionCheck check = checks[k];
+    if (turn) check.crank += turn->angle;
+    const double cosine = chain.cosine(check);
     const bool known = std::isfinite(cosine);
     c[2 * k] = known ? limit - cosine : -1;
     c[2 * k + 1] = known ? limit + cosine : -1;
@@ -16,7 +19,8 @@ void transmission_constraints(FreeChain& chain, double limit,
     double* row = jacobian.data() + 2 * k * columns;
     std::fill_n(row, 2 * columns, 0.0);
     if (!known) continue;
-    chain.cosine_slope(checks[k], cosine, row + columns);
+    const double slope = chain.cosine_slope(check, cosine, row + columns);
+    if (turn) row[columns + turn->column] = slope;
     for (std::size_t i = 0; i < columns; ++i) row[i] = -row[columns + i];
   }
 }

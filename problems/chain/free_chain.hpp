@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "analysis/numbers/angle.hpp"
@@ -20,15 +22,17 @@ struct TransmissionCheck {
 /// A chain with its derivatives by the free parameters.
 class FreeChain {
  public:
-  FreeChain(const ChainSpace& space, const std::vector<double>& parameters,
-            const std::vector<double>& side)
+  FreeChain(const ChainSpace& space, std::span<const double> parameters,
+            std::span<const double> side)
       : space_(space),
         view_{space.lines.data(), static_cast<int>(space.lines.size()), parameters.data(),
               side.data()} {}
 
   /// The points with the crank at this angle; what follows speaks of the last.
-  const Vec2d* at(double crank) {
-    synthesis::place(view_, unit_vector(crank), place_);
+  const Vec2d* at(double crank) { return at(unit_vector(crank)); }
+  /// The same with the crank in this direction.
+  const Vec2d* at(const Vec2d& direction) {
+    synthesis::place(view_, direction, place_);
     return place_.at;
   }
 
@@ -56,12 +60,12 @@ class FreeChain {
     return synthesis::transmission_cosine(view_, place_, check.joint);
   }
 
-  /// Its derivatives.
-  void cosine_slope(const TransmissionCheck& check, double cosine, double* row) {
+  /// Its derivatives; returns that by the crank's angle.
+  double cosine_slope(const TransmissionCheck& check, double cosine, double* row) {
     clear();
     synthesis::seed_transmission(view_, place_, check.joint, cosine, 1.0, seed_.data(),
                                  gradient_.data());
-    swept(check.joint - 1, row);
+    return swept(check.joint - 1, row);
   }
 
  private:
@@ -89,11 +93,18 @@ class FreeChain {
   std::array<double, synthesis::kMostChainParameters> gradient_{};
 };
 
+/// With what the crank angles of all checks turn.
+struct CheckTurn {
+  std::size_t column;  ///< of the unknown
+  double angle;        ///< by which they have turned
+};
+
 /// Two constraints for each check: limit ∓ cos μ ≥ 0, of |cos μ|. Their rows of `jacobian`, where
 /// it is not empty, have `columns` entries, the free parameters first. A dyad that does not close
 /// violates.
 void transmission_constraints(FreeChain& chain, double limit,
                               std::span<const TransmissionCheck> checks, std::size_t columns,
-                              std::span<double> c, std::span<double> jacobian);
+                              std::span<double> c, std::span<double> jacobian,
+                              std::optional<CheckTurn> turn = std::nullopt);
 
 }  // namespace cognate::problems

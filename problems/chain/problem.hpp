@@ -12,6 +12,7 @@
 #include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/chain/topology.hpp"
+#include "problems/layers/layers.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/raster/raster.hpp"
 #include "problems/tolerance/tolerances.hpp"
@@ -50,6 +51,7 @@ struct ChainPathProblem {
   WarningLimits warnings{};
   std::optional<Raster> raster{};  ///< of one topology
   std::optional<Tolerances> tolerances{};
+  std::optional<DesignLayers> layers{};
 };
 
 template <>

@@ -31,7 +31,7 @@ std::string name_of(const Topology& topology, const TopologyLine& line, std::siz
 
 }  // namespace
 
-ChainAxes chain_axes(const Raster& raster, const ScaledChain& scaled, const TargetScale& scale) {
+ChainAxes chain_axes(const Raster& raster, const ChainSpace& scaled, const TargetScale& scale) {
   ChainAxes all;
   const Topology& topology = *scaled.topology;
   std::size_t parameter = 0;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "problems/chain/scaled.hpp"
+#include "problems/chain/space.hpp"
 #include "problems/raster/raster.hpp"
 #include "synthesis/raster/raster.hpp"
 
@@ -21,6 +21,6 @@ struct ChainAxes {
 };
 
 /// The axes of `raster` within the bounds of `scaled`, which `scale` has made of the file's.
-ChainAxes chain_axes(const Raster& raster, const ScaledChain& scaled, const TargetScale& scale);
+ChainAxes chain_axes(const Raster& raster, const ChainSpace& scaled, const TargetScale& scale);
 
 }  // namespace cognate::problems

@@ -8,11 +8,10 @@
 #include "problems/chain/problem.hpp"
 #include "problems/chain/read_design.hpp"
 #include "problems/chain/read_target.hpp"
+#include "problems/layers/read.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
-#include "problems/mechanism/part_names.hpp"
 #include "problems/tolerance/read.hpp"
-#include "problems/toml/nearest.hpp"
 
 namespace cognate::problems {
 namespace reading {
@@ -26,20 +25,6 @@ std::vector<std::string_view> path_types() {
   for (const TopologyWord& topology : topology_words()) words.push_back(topology.word);
   words.push_back(kChainWord);
   return words;
-}
-
-/// The traced point, which only a chain may name.
-Wanted read_traced(TableReader& target, const std::string& type) {
-  Wanted wanted{"point", {}};
-  if (!target.has(wanted.key)) return wanted;
-  if (type != kChainWord) {
-    target.fault(wanted.key, fmt::format("is given with mechanism.type = {}, whose point P is "
-                                         "traced; remove it, or take type = \"chain\"",
-                                         in_quotes(type)));
-  } else if (const auto name = read_name(target, wanted.key)) {
-    wanted.points = {*name};
-  }
-  return wanted;
 }
 
 void read_chain_constraints(TableReader& constraints, ChainConstraints& limits) {
@@ -109,11 +94,12 @@ ChainPathProblem KindTraits<ChainPathProblem>::read(reading::TableReader& docume
   tables.mechanism.know({kType});
   read_chain_target(tables.target, folder, problem);
   problem.topologies = read_topologies(document, tables, topologies(problem.mechanism),
-                                       read_traced(tables.target, problem.mechanism));
+                                       read_traced(tables.target, problem.mechanism, "P"));
   read_chain_constraints(tables.constraints, problem.constraints);
   read_chain_solve(tables.solve, problem.solve);
   problem.raster = read_chain_raster(document, problem);
   check_movable(tables.target, problem);
+  problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies));
   problem.tolerances = read_tolerances(document, {});
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {

@@ -7,6 +7,8 @@
 
 #include "problems/linkage/keys.hpp"
 #include "problems/linkage/read_constraints.hpp"
+#include "problems/mechanism/part_names.hpp"
+#include "problems/toml/nearest.hpp"
 
 namespace cognate::problems::reading {
 namespace {
@@ -49,6 +51,37 @@ std::vector<Topology> read_topologies(TableReader& document, LinkageTables& tabl
   return all;
 }
 
+Wanted read_traced(TableReader& target, const std::string& type, std::string_view traced) {
+  Wanted wanted{"point", {}};
+  if (!target.has(wanted.key)) return wanted;
+  if (type != kChainWord) {
+    target.fault(wanted.key, fmt::format("is given with mechanism.type = {}, whose point {} is "
+                                         "traced; remove it, or take type = \"chain\"",
+                                         in_quotes(type), traced));
+  } else if (const auto name = read_name(target, wanted.key)) {
+    wanted.points = {*name};
+  }
+  return wanted;
+}
+
+std::array<std::string, 2> read_output_link(TableReader& target, const std::string& type) {
+  constexpr std::string_view kOutput = "output";
+  const std::array<std::string, 2> usual{"G", "F"};
+  const auto names = target.texts(kOutput, {2, 2, "names of points"});
+  if (!names) return usual;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!check_name(target, target.where(kOutput, i), target.name(kOutput), (*names)[i])) {
+      return usual;
+    }
+  }
+  const std::array<std::string, 2> given{(*names)[0], (*names)[1]};
+  if (type == kChainWord || given == usual) return given;
+  target.fault(kOutput, fmt::format("is [\"{}\", \"{}\"], but the output of type = {} is the "
+                                    "link [\"G\", \"F\"]; remove it, or take type = \"chain\"",
+                                    given[0], given[1], in_quotes(type)));
+  return given;
+}
+
 std::optional<Range> read_chain_transmission(TableReader& constraints) {
   constexpr std::string_view kKey = "transmission_angle_deg";
   const auto range = constraints.range(kKey, kTransmissionAngle);
@@ -88,7 +121,7 @@ void fault_chain_type(TableReader& document, TableReader& mechanism,
                       std::span<const std::string_view> types) {
   mechanism.choice_of("type", types);
   document.know({"target", "mechanism", "bounds", "constraints", "solve", "warnings", "pivot",
-                 "crank", "dyad", "point", "raster", "tolerance"});
+                 "crank", "dyad", "point", "layers", "raster", "tolerance"});
 }
 
 }  // namespace cognate::problems::reading

@@ -2,8 +2,10 @@
 /// given and bounded, limits, and the search.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +19,14 @@ namespace cognate::problems::reading {
 /// there are none, the topology that they define; empty, with a fault, where they define none.
 std::vector<Topology> read_topologies(TableReader& document, LinkageTables& tables,
                                       std::vector<Topology> known, const Wanted& wanted);
+
+/// The point whose path counts: `target.point`, which only a chain that the file defines may name;
+/// `traced`: that of the type `type`, for the message.
+Wanted read_traced(TableReader& target, const std::string& type, std::string_view traced);
+
+/// `target.output`: the names of the two points whose way is the output's direction, which only a
+/// chain that the file defines may choose.
+std::array<std::string, 2> read_output_link(TableReader& target, const std::string& type);
 
 /// `transmission_angle_deg` in radians, where it is given and can be kept to.
 std::optional<Range> read_chain_transmission(TableReader& constraints);

@@ -7,17 +7,20 @@
 
 #include "analysis/numbers/parallel.hpp"
 #include "problems/basics/quantity_key.hpp"
+#include "problems/chain/found_designs.hpp"
 #include "problems/chain/placed_starts.hpp"
 #include "problems/chain/problem.hpp"
 #include "problems/chain/raster.hpp"
 #include "problems/chain/scaled.hpp"
 #include "problems/chain/search.hpp"
 #include "problems/chain/verify.hpp"
+#include "problems/linkage/design_layers.hpp"
 #include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/raster/report.hpp"
+#include "problems/raster/run_parts.hpp"
 #include "problems/search/solver_origin.hpp"
 #include "problems/search/statistics.hpp"
 
@@ -74,14 +77,6 @@ std::vector<Design> designs_of(const ChainPathProblem& problem, const TargetScal
   return std::move(best);
 }
 
-Status status_of(const std::vector<Design>& designs, const Deadline& deadline) {
-  if (deadline.reached()) {
-    return deadline.interrupted() ? Status::interrupted : Status::time_limit;
-  }
-  if (designs.empty()) return Status::no_solution;
-  return all_satisfied(designs.front().constraints) ? Status::solved : Status::infeasible;
-}
-
 /// The designs of the raster, from those that the search found without one.
 void take_raster(const ChainPathProblem& problem, const TargetScale& scale,
                  const ScaledChain& scaled, const std::vector<ChainMinimum>& continuous,
@@ -98,7 +93,7 @@ void take_raster(const ChainPathProblem& problem, const TargetScale& scale,
     return std::isfinite(design.error.sum_of_squares) && all_satisfied(design.constraints);
   };
   const auto found =
-      search_chain_raster(problem, scaled, scale, continuous, accepts, run, deadline);
+      search_chain_raster(problem, scaled, scale, continuous, accepts, on_values(run), deadline);
   result.designs.clear();
   for (const RasterChain& chain : found.designs) result.designs.push_back(design_of(chain));
   // The objective is the mean square.
@@ -144,6 +139,25 @@ void add_chain_tolerances(const ChainPathProblem& problem, const Run& run, Resul
       result);
 }
 
+/// The designs that the search finds, or those on the raster next to them.
+Result find_chains(const ChainPathProblem& problem, const std::vector<ScaledChain>& chains,
+                   const Run& run, const Deadline& deadline) {
+  const TargetScale scale(problem.points);
+  const ChainPathProblem searched = problem.is_movable ? without_sizes(problem) : problem;
+  Result result;
+  const ChainSearchResult found = search_chains(
+      chains, problem.solve, problem.raster ? between_values(run) : run, deadline, result.work);
+  result.designs = designs_of(searched, scale, found.designs);
+  result.status = status_of(result.designs, deadline);
+  result.quantities = quantities(found.statistics);
+  if (problem.raster) {
+    const ScaledChain scaled(problem, problem.topologies.front(), scale);
+    take_raster(problem, scale, scaled, found.designs, run, deadline, result);
+    result.status = status_of(result.designs, deadline);
+  }
+  return result;
+}
+
 }  // namespace
 
 Result solve(const ChainPathProblem& given, const Run& run) {
@@ -156,16 +170,10 @@ Result solve(const ChainPathProblem& given, const Run& run) {
   std::vector<ScaledChain> chains;
   for (const Topology& topology : searched.topologies)
     chains.emplace_back(searched, topology, scale);
-  Result result;
-  const ChainSearchResult found = search_chains(chains, problem.solve, run, deadline, result.work);
-  result.designs = designs_of(searched, scale, found.designs);
-  result.status = status_of(result.designs, deadline);
-  result.quantities = quantities(found.statistics);
-  if (problem.raster) {
-    const ScaledChain scaled(problem, problem.topologies.front(), scale);
-    take_raster(problem, scale, scaled, found.designs, run, deadline, result);
-    result.status = status_of(result.designs, deadline);
-  }
+  Result result = solve_in_layers(problem, run, DesignSource::search,
+                                  [&](const ChainPathProblem& one, const Run& own) {
+                                    return find_chains(one, chains, own, deadline);
+                                  });
   note_unknowns(problem, chains, result);
   add_warnings(extent_of(problem.points), problem.warnings, result);
   if (result.designs.empty()) {

@@ -72,4 +72,36 @@ ChainSpace::ChainSpace(const Topology& of, const TargetScale& scale, const Range
   }
 }
 
+void ChainSpace::limit_open(double least, double most) {
+  std::size_t at = 0;
+  for (const TopologyLine& line : topology->lines) {
+    const bool has_length = is_length(line.line.type);
+    for (int i = 0; i < synthesis::parameter_count(line.line.type); ++i, ++at) {
+      const Range& bound = line.bounds[static_cast<std::size_t>(i)];
+      if (!std::isfinite(bound.min)) lower[at] = has_length ? least : -most;
+      if (!std::isfinite(bound.max)) upper[at] = lower[at] < most ? most : lower[at] + most;
+      if (lower[at] > upper[at]) lower[at] = has_length ? upper[at] : upper[at] - most;
+      if (has_length) lower[at] = std::max(lower[at], kLeastLink);
+    }
+  }
+}
+
+synthesis::ChainDesign within_bounds(const ChainSpace& space, synthesis::ChainDesign design) {
+  for (const int parameter : space.free) {
+    const auto i = static_cast<std::size_t>(parameter);
+    design.parameters[i] = std::clamp(design.parameters[i], space.lower[i], space.upper[i]);
+  }
+  return design;
+}
+
+bool is_same_chain(const synthesis::ChainDesign& known, const synthesis::ChainDesign& other,
+                   double tolerance) {
+  if (known.side != other.side) return false;
+  const auto &a = known.parameters, &b = other.parameters;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::abs(a[i] - b[i]) > tolerance * std::max(1.0, std::abs(a[i]))) return false;
+  }
+  return true;
+}
+
 }  // namespace cognate::problems

@@ -40,8 +40,21 @@ struct ChainSpace {
   /// `transmission`: radians; the narrower side counts.
   ChainSpace(const Topology& topology, const TargetScale& scale, const Range& transmission);
 
+  /// Bounds of what the file leaves without: of lengths from `least`, of lengths and coordinates up
+  /// to `most`, or from there on where the bound given lies beyond. No link is shorter than
+  /// `kLeastLink`, so that it has a direction.
+  void limit_open(double least, double most);
+  static constexpr double kLeastLink = 1e-4;
+
   /// Whether a dimension is given, so that drawn designs cannot be enlarged and moved.
   bool is_anchored() const { return free.size() < given.size(); }
 };
+
+/// The design whose free parameters are the nearest within their bounds.
+synthesis::ChainDesign within_bounds(const ChainSpace& space, synthesis::ChainDesign design);
+
+/// Whether two designs have the same assembly and dimensions, relative to these or 1.
+bool is_same_chain(const synthesis::ChainDesign& known, const synthesis::ChainDesign& other,
+                   double tolerance);
 
 }  // namespace cognate::problems

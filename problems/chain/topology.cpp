@@ -52,6 +52,17 @@ constexpr PointRow kOnEF[] = {{"P", LineType::attached, "E", "F"}};
 constexpr PointRow kOnHF[] = {{"P", LineType::attached, "H", "F"}};
 constexpr PointRow kOnKJ[] = {{"P", LineType::attached, "K", "J"}};
 
+constexpr PointRow kKlann[] = {
+    {"O", LineType::pivot, "", ""},  {"A", LineType::pivot, "", ""},
+    {"B", LineType::pivot, "", ""},  {"M", LineType::crank, "O", ""},
+    {"C", LineType::dyad, "M", "A"}, {"D", LineType::attached, "M", "C"},
+    {"E", LineType::dyad, "D", "B"}, {"F", LineType::attached, "D", "E"}};
+constexpr PointRow kJansen[] = {
+    {"O", LineType::pivot, "", ""},      {"B", LineType::pivot, "", ""},
+    {"M", LineType::crank, "O", ""},     {"C", LineType::dyad, "M", "B"},
+    {"E", LineType::attached, "B", "C"}, {"D", LineType::dyad, "M", "B"},
+    {"F", LineType::dyad, "E", "D"},     {"P", LineType::attached, "F", "D"}};
+
 struct TopologyRow {
   std::string_view name;
   std::array<Rows, 4> parts;  ///< one after the other; the last point is the traced one
@@ -71,6 +82,8 @@ constexpr TopologyRow kTopologies[] = {
 constexpr TopologyRow kFunctionTopologies[] = {{"stephenson-3", {kFourBar, kStephenson}},
                                                {"watt-2", {kFourBar, kSecondFourBar}}};
 
+constexpr TopologyRow kLegTopologies[] = {{"klann", {kKlann}}, {"jansen", {kJansen}}};
+
 constexpr TopologyWord kWords[] = {
     {"stephenson-3", "Stephenson III six-bar"},
     {"watt-1", "Watt I six-bar, the point on the link that the coupler carries"},
@@ -88,6 +101,10 @@ constexpr TopologyWord kFunctionWords[] = {
     {"stephenson-3", "Stephenson III six-bar, the output hung on its coupler"},
     {"watt-2", "Watt II six-bar, a second four-bar driven by the rocker of the first"},
     {"six-bar", "whichever of these two comes nearest"}};
+
+constexpr TopologyWord kLegWords[] = {
+    {"klann", "Klann's leg, a Stephenson III six-bar"},
+    {"jansen", "Jansen's leg, an eight-bar with two dyads on the crank's pin"}};
 
 bool stands_for(std::string_view word, std::string_view topology) {
   if (word == "any") return true;
@@ -235,6 +252,15 @@ std::span<const TopologyWord> function_topology_words() {
   return kFunctionWords;
 }
 
+std::vector<Topology> leg_topologies(std::string_view word) {
+  auto own = topologies_of(word, kLegWords, kLegTopologies);
+  return own.empty() ? topologies(word) : own;
+}
+
+std::span<const TopologyWord> leg_topology_words() {
+  return kLegWords;
+}
+
 std::string sketch(const Topology& topology) {
   std::string text;
   for (const TopologyLine& point : topology.lines) {
@@ -252,6 +278,23 @@ std::string link_name(const std::string& first, const std::string& second) {
 std::array<std::string, 2> link_names(const std::string& first, const std::string& second,
                                       const std::string& joint) {
   return {link_name(first, joint), link_name(joint, second)};
+}
+
+std::vector<std::vector<std::string>> links_of(std::span<const Topology> topologies) {
+  std::vector<std::vector<std::string>> all;
+  for (const Topology& topology : topologies) {
+    const auto name = [&](int line) { return topology.lines[static_cast<std::size_t>(line)].name; };
+    auto& links = all.emplace_back();
+    for (const TopologyLine& point : topology.lines) {
+      const auto& [type, first, second] = point.line;
+      if (type == LineType::crank) links.push_back(CrankDescription{}.name);
+      if (type == LineType::dyad) {
+        std::ranges::copy(link_names(name(first), name(second), point.name),
+                          std::back_inserter(links));
+      }
+    }
+  }
+  return all;
 }
 
 synthesis::Chain chain_of(const Topology& topology) {

@@ -53,6 +53,10 @@ std::span<const TopologyWord> topology_words();
 std::vector<Topology> function_topologies(std::string_view word);
 std::span<const TopologyWord> function_topology_words();
 
+/// The same for legs: the path is the foot's. The words of paths are words of legs too.
+std::vector<Topology> leg_topologies(std::string_view word);
+std::span<const TopologyWord> leg_topology_words();
+
 /// A chain in a line: "crank AB; C(B, D); E on BC; F(E, G); P on EF".
 std::string sketch(const Topology& topology);
 
@@ -62,6 +66,9 @@ std::string link_name(const std::string& first, const std::string& second);
 /// The names of the links of a dyad, which join `first` and `second` to its `joint`.
 std::array<std::string, 2> link_names(const std::string& first, const std::string& second,
                                       const std::string& joint);
+
+/// The names of the links of each topology, without the frame.
+std::vector<std::vector<std::string>> links_of(std::span<const Topology> topologies);
 
 /// The lines of `topology` alone.
 synthesis::Chain chain_of(const Topology& topology);

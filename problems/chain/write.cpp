@@ -2,6 +2,7 @@
 #include "problems/chain/problem.hpp"
 #include "problems/chain/read_parts.hpp"
 #include "problems/chain/write_design.hpp"
+#include "problems/layers/read.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/path/problem.hpp"
@@ -43,6 +44,7 @@ reading::Written KindTraits<ChainPathProblem>::written(const ChainPathProblem& p
   constraints.set_deg("transmission_angle_deg", problem.constraints.transmission_angle)
       .set_name("over", problem.constraints.over)
       .set("rms_error_max", problem.constraints.rms_error_max);
+  write_design_layers(problem.layers, constraints);
   all.document =
       document_writer(kWord, problem.title, problem.length_unit)
           .set("target", target_writer(problem))
@@ -52,6 +54,7 @@ reading::Written KindTraits<ChainPathProblem>::written(const ChainPathProblem& p
           .set("solve", chain_solve_writer(problem.solve))
           .set("warnings", warnings_writer(problem.warnings))
           .append(raster_table(problem.raster))
+          .append(layers_table(problem.layers))
           .append(tolerance_table(problem.tolerances, false))
           .take();
   return all;

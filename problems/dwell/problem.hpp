@@ -12,7 +12,9 @@
 #include "problems/basics/kind.hpp"
 #include "problems/basics/length_unit.hpp"
 #include "problems/chain/topology.hpp"
+#include "problems/layers/layers.hpp"
 #include "problems/linkage/linkage_limits.hpp"
+#include "problems/raster/raster.hpp"
 #include "problems/tolerance/tolerances.hpp"
 
 namespace cognate::problems {
@@ -44,6 +46,8 @@ struct DwellProblem {
   Solve solve;
   WarningLimits warnings{};
   std::optional<Tolerances> tolerances{};
+  std::optional<DesignLayers> layers{};
+  std::optional<Raster> raster{};
 };
 
 template <>

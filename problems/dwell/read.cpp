@@ -7,10 +7,9 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/chain/read_design.hpp"
-#include "problems/dwell/problem.hpp"
+#include "problems/dwell/raster.hpp"
+#include "problems/layers/read.hpp"
 #include "problems/linkage/warnings.hpp"
-#include "problems/mechanism/part_names.hpp"
-#include "problems/toml/nearest.hpp"
 
 namespace cognate::problems {
 namespace reading {
@@ -87,19 +86,6 @@ void check_dwells(TableReader& target, const DwellProblem& problem) {
   }
 }
 
-void read_output(TableReader& target, DwellProblem& problem) {
-  const auto names = target.texts(kOutput, {2, 2, "names of points"});
-  if (!names) return;
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (!check_name(target, target.where(kOutput, i), target.name(kOutput), (*names)[i])) return;
-    problem.output.at(i) = (*names)[i];
-  }
-  if (problem.mechanism == kChainWord || problem.output == DwellProblem{}.output) return;
-  target.fault(kOutput, fmt::format("is [\"{}\", \"{}\"], but the output of type = {} is the "
-                                    "link [\"G\", \"F\"]; remove it, or take type = \"chain\"",
-                                    (*names)[0], (*names)[1], in_quotes(problem.mechanism)));
-}
-
 void read_dwell_target(TableReader& target, DwellProblem& problem) {
   for (TableReader& table : target.tables(kDwell, {1, 2, "dwells"})) {
     problem.dwells.push_back(read_dwell(table));
@@ -107,7 +93,7 @@ void read_dwell_target(TableReader& target, DwellProblem& problem) {
   check_dwells(target, problem);
   read_apart(target, problem);
   problem.swing_min = radians(target.number(kSwing, kPartOfTurn).value_or(0));
-  read_output(target, problem);
+  problem.output = read_output_link(target, problem.mechanism);
 }
 
 void read_dwell_constraints(TableReader& constraints, DwellConstraints& limits) {
@@ -140,6 +126,8 @@ DwellProblem KindTraits<DwellProblem>::read(reading::TableReader& document,
                                        {kOutput, {problem.output.begin(), problem.output.end()}});
   read_dwell_constraints(tables.constraints, problem.constraints);
   read_chain_solve(tables.solve, problem.solve);
+  read_dwell_raster(document, problem);
+  problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies));
   problem.tolerances = read_tolerances(document, {.unit = "deg"});
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {

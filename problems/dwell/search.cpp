@@ -4,31 +4,25 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <list>
 
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/golden_section.hpp"
 #include "analysis/numbers/random.hpp"
 #include "problems/chain/cosine_scan.hpp"
+#include "problems/chain/hopping_explorer.hpp"
 #include "problems/dwell/starts.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {
 namespace {
 
-constexpr int kRound = 64;            ///< starts between two looks at what was found
-constexpr std::size_t kKept = 24;     ///< designs kept while searching
-constexpr std::size_t kFinished = 6;  ///< of which so many are finished with more nodes
-constexpr double kHopShare = 0.7;     ///< of the starts that disturb a design known
 constexpr int kSearchNodes = 17, kFinalNodes = 65;
-constexpr double kAllowed = 1e-7;     ///< violation of a constraint that is none
-constexpr double kSameDesign = 0.02;  ///< relative: closer designs are one
+constexpr int kSearchIterations = 60, kFinalIterations = 300;
+constexpr int kSearchExchanges = 3, kFinalExchanges = 8;
+constexpr int kFewestStarts = 24 * kHoppingRound;
 constexpr int kOutputSamples = 180, kExtremeSteps = 24;
 
-struct Fitted {
-  DwellDesign design;
-  double half_band = std::numeric_limits<double>::infinity();
-  double violation = std::numeric_limits<double>::infinity();
+struct Fitted : DwellFit {
   int hits = 1;
 };
 
@@ -36,18 +30,12 @@ struct DwellRules {
   using Candidate = Fitted;
 
   bool has_value(const Candidate& one) const {
-    return std::isfinite(one.half_band) && one.violation <= kAllowed;
+    return std::isfinite(one.half_band) && one.violation <= kDwellFeasibility;
   }
   bool precedes(const Candidate& a, const Candidate& b) const { return a.half_band < b.half_band; }
   double value(const Candidate& one) const { return one.half_band; }
   bool is_same(const Candidate& known, const Candidate& other, double tolerance) const {
-    if (known.design.chain.side != other.design.chain.side) return false;
-    const auto& a = known.design.chain.parameters;
-    const auto& b = other.design.chain.parameters;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      if (std::abs(a[i] - b[i]) > tolerance * std::max(1.0, std::abs(a[i]))) return false;
-    }
-    return true;
+    return is_same_chain(known.design.chain, other.design.chain, tolerance);
   }
 };
 
@@ -116,7 +104,8 @@ double missing_distance(const DwellSpace& space, const Fitted& here) {
 /// between.
 Fitted fitted(const DwellSpace& space, const DwellDesign& start, int nodes, int exchanges,
               const synthesis::Options& options, const synthesis::WorkCounter& work) {
-  Fitted here{start};
+  Fitted here;
+  here.design = start;
   double violation = 0;
   DwellChecks checks = checks_of(space, start, violation);
   std::vector<TransmissionCheck> watched = checks.transmission;
@@ -138,128 +127,67 @@ Fitted fitted(const DwellSpace& space, const DwellDesign& start, int nodes, int 
     const double missing = missing_distance(space, here);
     apart += missing;
     here.violation = std::max({violation, solution.violation, missing});
-    if (here.violation <= kAllowed && exchange > 0) break;
+    if (here.violation <= kDwellFeasibility && exchange > 0) break;
     watched.insert(watched.end(), checks.transmission.begin(), checks.transmission.end());
   }
   return here;
 }
 
-/// The search of one topology.
-class DwellExplorer {
- public:
-  DwellExplorer(const DwellSpace& space, std::size_t number, const Run& run,
-                const Deadline& deadline, const synthesis::WorkCounter& work)
-      : space_(space),
-        number_(number),
-        run_(run),
-        work_(work),
-        search_({}, {run.threads, deadline, run.progress}) {}
+struct DwellMethod {
+  using Space = DwellSpace;
+  using Design = DwellDesign;
+  using Rules = DwellRules;
+  static constexpr std::uint64_t kDrawnStarts = 0;
 
-  void explore(const synthesis::StartRule& rule, synthesis::Shares shares) {
-    search_.explore(rule, shares, [&](int first, int count) { round(first, count); });
+  static std::optional<Design> draw(const Space& space, std::mt19937_64& random) {
+    return draw_dwell(space, random);
   }
 
-  void finish(synthesis::Shares shares) {
-    search_.keep(kFinished);
-    search_.refine(shares, [&](Fitted& one) {
-      const Fitted finer = fitted(space_, one.design, kFinalNodes, 8, options(300), work_);
-      if (finer.violation <= kAllowed) {
-        const int hits = one.hits;
-        one = finer;
-        one.hits = hits;
-      }
-    });
-    search_.merge(kSameDesign);
-  }
-
-  const synthesis::MultiStart<DwellRules>& search() const { return search_; }
-  const DwellSpace& space() const { return space_; }
-
- private:
-  synthesis::Options options(int iterations) const {
-    synthesis::Options own;
-    own.tolerance = 1e-9;
-    own.feasibility = 1e-9;
-    own.max_iterations = iterations;
-    return synthesis::until(search_.deadline(), own);
-  }
-
-  void round(int first, int count) {
-    std::vector<Fitted> fresh(static_cast<std::size_t>(count));
-    search_.for_each(fresh.size(), [&](std::size_t i) {
-      std::seed_seq seed{run_.seed, std::uint64_t{number_},
-                         static_cast<std::uint64_t>(first) + std::uint64_t{i}};
-      std::mt19937_64 random(seed);
-      const bool hop = !search_.all().empty() && uniform(random, 0, 1) < kHopShare;
-      const auto start = hop ? std::optional(disturbed(random)) : draw_dwell(space_, random);
-      if (start) fresh[i] = fitted(space_, *start, kSearchNodes, 3, options(60), work_);
-    });
-    search_.add(std::move(fresh), kSameDesign);
-    search_.keep(kKept);
-  }
-
-  DwellDesign disturbed(std::mt19937_64& random) const {
-    const auto& all = search_.all();
-    const auto which = static_cast<std::size_t>(uniform(random, 0, double(all.size())));
-    DwellDesign design = all[which].design;
-    const double size = std::exp(uniform(random, std::log(1e-4), std::log(0.15)));
-    for (const int parameter : space_.free) {
-      double& value = design.chain.parameters[static_cast<std::size_t>(parameter)];
-      value += size * uniform(random, -1, 1) * std::max(0.3, std::abs(value));
-    }
+  static void disturb(const Space& space, double size, Design& design, std::mt19937_64& random) {
+    problems::disturb(space, size, design.chain, random);
     for (std::size_t k = 0; k < design.start.size(); ++k) {
-      if (!space_.problem->dwells[k].from) design.start[k] += size * uniform(random, -1, 1);
+      if (!space.problem->dwells[k].from) design.start[k] += size * uniform(random, -1, 1);
     }
-    return design;
   }
 
-  const DwellSpace& space_;
-  std::size_t number_;
-  const Run& run_;
-  const synthesis::WorkCounter& work_;
-  synthesis::MultiStart<DwellRules> search_;
+  static Fitted search_fit(const Space& space, const Design& start,
+                           const synthesis::Deadline& deadline,
+                           const synthesis::WorkCounter& work) {
+    return fitted(space, start, kSearchNodes, kSearchExchanges,
+                  fit_options(deadline, kSearchIterations), work);
+  }
+
+  static Fitted final_fit(const Space& space, const Design& start,
+                          const synthesis::Deadline& deadline, const synthesis::WorkCounter& work) {
+    return fitted(space, start, kFinalNodes, kFinalExchanges,
+                  fit_options(deadline, kFinalIterations), work);
+  }
 };
 
-synthesis::StartRule dwell_rule(const Solve& options) {
-  synthesis::StartRule rule;
-  rule.starts = options.starts;
-  rule.round = kRound;
-  rule.fewest = 24 * kRound;
-  rule.most = 96 * kRound;
-  rule.enough_hits = 1;
-  rule.patience = 1.6;
-  rule.better_by = 0.01;
-  rule.met = 1e-9;
-  return rule;
-}
-
 }  // namespace
+
+DwellFit fit_dwell(const DwellSpace& space, const DwellDesign& start, bool is_final,
+                   const Deadline& deadline) {
+  constexpr int kIterations = 60, kRounds = 4;
+  const synthesis::WorkCounter unread;
+  return fitted(space, start, is_final ? kFinalNodes : kSearchNodes, kRounds,
+                fit_options(deadline, kIterations), unread);
+}
 
 DwellSearchResult search_dwells(const std::vector<DwellSpace>& spaces, const Solve& options,
                                 const Run& run, const Deadline& deadline, Work& work) {
   const synthesis::WorkCounter counter;
-  std::list<DwellExplorer> explorers;
+  const auto explorers = explored<HoppingExplorer<DwellMethod>>(
+      spaces, hopping_rule(options.starts, kFewestStarts), run, deadline, counter);
   DwellSearchResult result;
-  const double step = 1.0 / double(spaces.size());
-  double share = 0;
-  for (const DwellSpace& space : spaces) {
-    auto& one = explorers.emplace_back(space, explorers.size(), run, deadline, counter);
-    one.explore(dwell_rule(options), {share, share + 0.9 * step});
-    one.finish({share + 0.9 * step, share + step});
-    share += step;
+  for (const auto& one : explorers) {
     for (const Fitted& found : one.search().all()) {
-      result.designs.push_back({&space, found.design, found.half_band, found.violation});
+      result.designs.push_back({&one.space(), found.design, found.half_band, found.violation});
     }
   }
   std::ranges::stable_sort(result.designs, {}, &DwellMinimum::half_band);
-  for (const DwellExplorer& one : explorers) {
-    work.candidates += static_cast<std::uint64_t>(one.search().starts());
-    if (result.designs.empty() || &one.space() != result.designs.front().space) continue;
-    result.statistics = one.search().statistics(synthesis::kBestMinima);
-  }
-  work.positions += counter.total().evaluations * kSearchNodes;
-  work.gradients += counter.total().gradients;
-  work.solver_iterations += counter.total().iterations;
+  result.statistics = statistics_of(explorers, result.designs);
+  count_work(counter, explorers, kSearchNodes, work);
   return result;
 }
 

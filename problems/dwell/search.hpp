@@ -1,6 +1,7 @@
 /// @file The search for mechanisms whose output dwells.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "problems/dwell/model.hpp"
@@ -16,6 +17,21 @@ struct DwellMinimum {
   double half_band = 0;  ///< radians
   double violation = 0;  ///< of the constraints, as they are scaled in the model
 };
+
+/// Violations of the constraints up to this are none.
+inline constexpr double kDwellFeasibility = 1e-7;
+
+/// Where a minimax fit ended.
+struct DwellFit {
+  DwellDesign design;
+  double half_band = std::numeric_limits<double>::infinity();
+  double violation = std::numeric_limits<double>::infinity();
+};
+
+/// A fit from `start` within the bounds of `space`, its free parameters and the starts of dwells
+/// that are not given being sought. `is_final`: with as many nodes as finished designs have.
+DwellFit fit_dwell(const DwellSpace& space, const DwellDesign& start, bool is_final,
+                   const Deadline& deadline);
 
 struct DwellSearchResult {
   std::vector<DwellMinimum> designs;  ///< best first; different ones

@@ -3,14 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "analysis/numbers/parallel.hpp"
+#include "problems/basics/degrees.hpp"
+#include "problems/chain/found_designs.hpp"
+#include "problems/chain/output_question.hpp"
+#include "problems/dwell/raster.hpp"
 #include "problems/dwell/search.hpp"
 #include "problems/dwell/verify.hpp"
-#include "problems/linkage/design_tolerances.hpp"
+#include "problems/linkage/design_layers.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/linkage/warnings.hpp"
+#include "problems/raster/report.hpp"
+#include "problems/raster/run_parts.hpp"
 #include "problems/search/solver_origin.hpp"
 #include "problems/search/statistics.hpp"
 
@@ -20,29 +27,57 @@ namespace {
 /// Those that meet every limit, the best first; the others only where there are no such.
 std::vector<Design> designs_of_dwells(const DwellProblem& problem,
                                       const std::vector<DwellMinimum>& found) {
-  std::vector<Design> feasible, others;
+  std::vector<Design> designs;
   for (const DwellMinimum& one : found) {
     if (!std::isfinite(one.half_band)) continue;
     const DwellSpace& space = *one.space;
     auto mechanism = named(*space.topology, space.scale.out_of(space.chain, one.design.chain));
     Design design = verified(problem, *space.topology, std::move(mechanism), one.design.start);
     if (!std::isfinite(design.error.sum_of_squares)) continue;
-    design.origin = search_origin(synthesis::Solver::slsqp);
-    (all_satisfied(design.constraints) ? feasible : others).push_back(std::move(design));
+    design.origin = search_origin({synthesis::Solver::slsqp});
+    designs.push_back(std::move(design));
   }
-  auto& best = feasible.empty() ? others : feasible;
-  std::ranges::stable_sort(best, {}, [](const Design& design) { return design.error.max; });
-  const auto wanted = static_cast<std::size_t>(problem.solve.designs);
-  if (best.size() > wanted) best.resize(wanted);
-  return std::move(best);
+  std::ranges::stable_sort(designs, {}, [](const Design& design) { return design.error.max; });
+  return feasible_or_all(std::move(designs), problem.solve.designs);
 }
 
-Status status_of_dwells(const std::vector<Design>& designs, const Deadline& deadline) {
-  if (deadline.reached()) {
-    return deadline.interrupted() ? Status::interrupted : Status::time_limit;
+/// Of the raster, from the minima without it.
+void solve_dwells_on_raster(const DwellProblem& problem, const DwellSpace& space,
+                            const DwellSearchResult& found, const Run& run,
+                            const Deadline& deadline, Result& result) {
+  const Topology& topology = *space.topology;
+  const auto design_of = [&](const DwellDesign& one) {
+    return verified(problem, topology, named(topology, one.chain), one.start);
+  };
+  const auto accepts = [&](const DwellDesign& one) {
+    const Design design = design_of(one);
+    return std::isfinite(design.error.sum_of_squares) && all_satisfied(design.constraints);
+  };
+  const RasterDwells best =
+      search_dwell_raster(space, found.designs, accepts, on_values(run), deadline);
+  for (const DwellDesign& one : best.designs) {
+    result.designs.push_back(design_of(one));
+    result.designs.back().origin = "raster";
   }
-  if (designs.empty()) return Status::no_solution;
-  return all_satisfied(designs.front().constraints) ? Status::solved : Status::infeasible;
+  const RasterMeasure measure{[](double half_band) { return degrees(half_band); }};
+  std::ranges::move(raster_quantities(best.search, measure), std::back_inserter(result.quantities));
+  result.notes = raster_notes(best.search, measure);
+}
+
+/// The designs that the search finds, or those on the raster next to them.
+Result find_dwells(const DwellProblem& problem, const std::vector<DwellSpace>& spaces,
+                   const Run& run, const Deadline& deadline) {
+  Result result;
+  const DwellSearchResult found = search_dwells(
+      spaces, problem.solve, problem.raster ? between_values(run) : run, deadline, result.work);
+  result.quantities = quantities(found.statistics);
+  if (problem.raster) {
+    solve_dwells_on_raster(problem, spaces.front(), found, run, deadline, result);
+  } else {
+    result.designs = designs_of_dwells(problem, found.designs);
+  }
+  result.status = status_of(result.designs, deadline);
+  return result;
 }
 
 /// The angle of the output in each dwell from the middle of its band there.
@@ -54,19 +89,10 @@ std::optional<ToleranceQuestion> dwell_question(const DwellProblem& problem, con
       angles.push_back(design.crank_angles[k] + problem.dwells[k / 2].over * i / kSteps);
     }
   }
-  auto [question, kept] = question_at(design.mechanism, angles);
-  const auto first = point_response(design.mechanism, problem.output[0]);
-  const auto second = point_response(design.mechanism, problem.output[1]);
-  if (!first || !second || kept.size() != angles.size()) return std::nullopt;
-  const int body = design.mechanism.points[second->index].at.body;
-  ToleranceQuantity output{.name = "output", .judged = true};
-  output.response = {.type = ResponseType::angle, .index = static_cast<std::size_t>(body)};
-  ChangedMechanism<double> nominal({design.mechanism.mechanism, {}});
-  std::vector<Vec2d> way;
-  for (const Station& station : question.stations) {
-    nominal.move_to(station);
-    way.push_back(nominal.value(output.response));
-  }
+  auto asked = output_question(design.mechanism, problem.output, angles);
+  if (!asked) return std::nullopt;
+  const auto& way = asked->way;
+  auto& output = asked->question.quantities.front();
   for (std::size_t begin = 0; begin < way.size(); begin += kSteps + 1) {
     double least = 0, greatest = 0;
     for (std::size_t i = 0; i <= kSteps; ++i) {
@@ -79,9 +105,8 @@ std::optional<ToleranceQuestion> dwell_question(const DwellProblem& problem, con
       output.offset[begin + i] -= 0.5 * (least + greatest);
     }
   }
-  question.quantities.push_back(std::move(output));
-  add_transmissions(design.mechanism, question);
-  return std::move(question);
+  add_transmissions(design.mechanism, asked->question);
+  return std::move(asked->question);
 }
 
 void add_dwell_tolerances(const DwellProblem& problem, const Run& run, Result& result) {
@@ -99,13 +124,12 @@ Result solve(const DwellProblem& given, const Run& run) {
   const Deadline deadline(run);
   std::vector<DwellSpace> spaces;
   for (const Topology& topology : problem.topologies) spaces.emplace_back(problem, topology);
-  Result result;
-  const DwellSearchResult found = search_dwells(spaces, problem.solve, run, deadline, result.work);
-  result.designs = designs_of_dwells(problem, found.designs);
-  result.status = status_of_dwells(result.designs, deadline);
-  result.quantities = quantities(found.statistics);
+  Result result = solve_in_layers(problem, run, DesignSource::search,
+                                  [&](const DwellProblem& one, const Run& own) {
+                                    return find_dwells(one, spaces, own, deadline);
+                                  });
   add_warnings(std::nullopt, problem.warnings, result);
-  if (result.designs.empty()) {
+  if (result.designs.empty() && !problem.raster) {
     result.notes.push_back(
         "No mechanism was found that is assembled over the whole turn within the limits; wider "
         "limits or more starts may help.");

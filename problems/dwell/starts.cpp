@@ -4,10 +4,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/random.hpp"
-#include "problems/chain/draw.hpp"
+#include "problems/chain/output_dyad.hpp"
 #include "synthesis/chain/sweep.hpp"
 
 namespace cognate::problems {
@@ -26,48 +27,15 @@ std::size_t sample_at(int index) {
   return static_cast<std::size_t>(((index % kDrawnPositions) + kDrawnPositions) % kDrawnPositions);
 }
 
-struct CircleNear {
-  Vec2d centre;
-  double radius = 0;
-  double deviation = kInfinite;  ///< greatest distance from it
-};
-
-/// The circle nearest to `count` samples from `first` on, by the linear least squares of Kåsa.
-CircleNear circle_near(const DrawnCurve& curve, int first, int count) {
-  Vec2d mean;
-  for (int i = 0; i < count; ++i) mean = mean + (1.0 / count) * curve[sample_at(first + i)];
-  double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0, zz = 0;
-  for (int i = 0; i < count; ++i) {
-    const Vec2d p = curve[sample_at(first + i)] - mean;
-    const double square = squared_norm(p);
-    xx += p.x * p.x;
-    xy += p.x * p.y;
-    yy += p.y * p.y;
-    xz += p.x * square;
-    yz += p.y * square;
-    zz += square;
-  }
-  const double determinant = xx * yy - xy * xy;
-  if (!(determinant > 1e-12 * zz * zz)) return {};
-  const Vec2d centre{(xz * yy - yz * xy) / (2 * determinant),
-                     (yz * xx - xz * xy) / (2 * determinant)};
-  CircleNear circle{mean + centre, std::sqrt(zz / count + squared_norm(centre)), 0};
-  for (int i = 0; i < count; ++i) {
-    circle.deviation =
-        std::max(circle.deviation,
-                 std::abs(norm(curve[sample_at(first + i)] - circle.centre) - circle.radius));
-  }
-  return circle;
-}
-
 int samples_of(double angle) {
   return std::max(3, static_cast<int>(std::lround(angle * kDrawnPositions / kTurn)) + 1);
 }
 
-/// Whether the point of a line moves along a circle about a pivot all the time: no other circle can
-/// be near it.
-bool circles(const DwellSpace& space, int index) {
-  const auto& line = space.lines[static_cast<std::size_t>(index)].line;
+/// Whether the point that carries the output moves along a circle about a pivot all the time: no
+/// other circle can be near it.
+bool circles(const DwellSpace& space) {
+  const int carrier = space.lines[static_cast<std::size_t>(space.to)].line.first;
+  const auto& line = space.lines[static_cast<std::size_t>(carrier)].line;
   const auto is_pivot = [&](int before) {
     return before >= 0 &&
            space.lines[static_cast<std::size_t>(before)].line.type == LineType::pivot;
@@ -75,29 +43,9 @@ bool circles(const DwellSpace& space, int index) {
   return is_pivot(line.first) || is_pivot(line.second);
 }
 
-/// Whether the output's dyad is the last line of its chain, after G, and free, so that a circle
-/// fits it.
-bool ends_in_free_dyad(const DwellSpace& space) {
-  const auto& lines = space.lines;
-  const auto to = static_cast<std::size_t>(space.to), from = static_cast<std::size_t>(space.from);
-  const auto& dyad = lines[to].line;
-  if (dyad.type != LineType::dyad || lines[from].line.type != LineType::pivot) return false;
-  if (dyad.second != space.from || space.problem->dwells.size() != 1) return false;
-  if (circles(space, dyad.first)) return false;
-  const auto is_given = [&](std::size_t k, int count) {
-    for (int i = 0; i < count; ++i) {
-      const int place = lines[k].parameter + i;
-      if (space.given[static_cast<std::size_t>(place)]) return true;
-    }
-    return false;
-  };
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    const auto& line = lines[k].line;
-    const bool uses = line.first == space.from || line.second == space.from;
-    if (k != to && uses) return false;
-  }
-  const bool is_last = to + 1 == lines.size() && from + 1 == to;
-  return is_last && !is_given(to, 2) && !is_given(from, 2);
+/// Whether a circle near a part of the carrier's path gives the output's dyad.
+bool hangs_on_circle(const DwellSpace& space) {
+  return space.problem->dwells.size() == 1 && ends_in_free_dyad(space) && !circles(space);
 }
 
 /// A part of the turn: where it begins, the middle of the output there, and how far it deviates.
@@ -148,39 +96,23 @@ class DwellDraw {
   DwellDraw(const DwellSpace& space, std::mt19937_64& random) : space_(space), random_(random) {}
 
   std::optional<DwellDesign> best() {
-    ends_in_free_dyad(space_) ? draw_on_circles() : draw_whole();
+    hangs_on_circle(space_) ? draw_on_circles() : draw_whole();
     if (best_.start.empty()) return std::nullopt;
     return best_;
   }
 
  private:
-  /// The chain up to E, the first point of the output's dyad.
-  Topology carrying() const {
-    Topology part = *space_.topology;
-    const int point = space_.lines[static_cast<std::size_t>(space_.to)].line.first;
-    part.lines.resize(static_cast<std::size_t>(space_.to));
-    part.trace = point;
-    return part;
-  }
-
   void draw_on_circles() {
-    const Topology part = carrying();
-    ChainSpace carrier(part, TargetScale{}, space_.problem->constraints.transmission_angle);
-    carrier.given.assign(space_.given.begin(),
-                         space_.given.begin() + static_cast<std::ptrdiff_t>(carrier.given.size()));
-    carrier.free.clear();
-    for (const int parameter : space_.free) {
-      if (static_cast<std::size_t>(parameter) < carrier.given.size()) {
-        carrier.free.push_back(parameter);
-      }
-    }
+    const OutputCarrier carrier(space_, space_.problem->constraints.transmission_angle);
     const int count = samples_of(space_.problem->dwells[0].over);
     for (int i = 0; i < kChains; ++i) {
-      const auto drawn = draw(carrier, random_);
+      const auto drawn = draw(carrier.space(), random_);
       if (!drawn) continue;
       for (int first = 0; first < kDrawnPositions; first += 4) {
         const int begin = fixed_start().value_or(first);
-        const CircleNear circle = circle_near(drawn->curve, begin, count);
+        window_.clear();
+        for (int k = 0; k < count; ++k) window_.push_back(drawn->curve[sample_at(begin + k)]);
+        const CircleNear circle = circle_near(window_);
         if (circle.deviation < 6 * least_) hang_output(*drawn, circle, begin);
         if (fixed_start()) break;
       }
@@ -199,22 +131,11 @@ class DwellDraw {
       const double deviation = circle.deviation / length;
       if (deviation >= least_) continue;
       const Vec2d pivot = circle.centre + length * unit_vector(uniform(random_, 0, kTurn));
-      synthesis::ChainDesign chain = carrier.design;
-      const auto& output = space_.lines;
-      const auto to = static_cast<std::size_t>(space_.to);
-      chain.parameters.resize(space_.given.size());
-      chain.side.resize(output.size(), 0);
-      double* at = chain.parameters.data();
-      at[output[static_cast<std::size_t>(space_.from)].parameter] = pivot.x;
-      at[output[static_cast<std::size_t>(space_.from)].parameter + 1] = pivot.y;
-      at[output[to].parameter] = circle.radius;
-      at[output[to].parameter + 1] = length;
       const Vec2d point = carrier.curve[sample_at(begin)];
-      chain.side[to] = cross(pivot - point, circle.centre - point) > 0 ? 1 : -1;
-      const auto& assembly = space_.topology->lines[to].assembly;
-      if (assembly && (*assembly == Assembly::open) != (chain.side[to] > 0)) continue;
+      const auto chain = hung(space_, carrier.design, pivot, circle, point);
+      if (!chain) continue;
       const auto& from = space_.problem->dwells[0].from;
-      take(chain, {from.value_or(kTurn * begin / kDrawnPositions)}, deviation);
+      take(*chain, {from.value_or(kTurn * begin / kDrawnPositions)}, deviation);
     }
   }
 
@@ -290,6 +211,7 @@ class DwellDraw {
   const DwellSpace& space_;
   std::mt19937_64& random_;
   DwellDesign best_;
+  std::vector<Vec2d> window_;
   double least_ = kInfinite;
 };
 

@@ -10,8 +10,8 @@ namespace cognate::problems {
 
 /// The best of many chains drawn. Where the output's dyad joins a moving point E and a pivot G of
 /// the frame that may be anywhere, the output stands still while E moves along a circle about the
-/// joint F: the circle nearest to E over a window (Kåsa 1976, "A circle fitting procedure and its
-/// error analysis") gives F and the length EF; G is drawn. Else the output is evaluated as drawn.
+/// joint F: the circle nearest to E over a window gives F and the length EF; G is drawn. Else the
+/// output is evaluated as drawn.
 std::optional<DwellDesign> draw_dwell(const DwellSpace& space, std::mt19937_64& random);
 
 }  // namespace cognate::problems

@@ -1,8 +1,10 @@
 /// A problem of dwells written down, and checked by reading what was written.
 #include "problems/chain/write_design.hpp"
 #include "problems/dwell/problem.hpp"
+#include "problems/layers/read.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
+#include "problems/raster/read.hpp"
 #include "problems/tolerance/read.hpp"
 
 namespace cognate::problems {
@@ -35,6 +37,7 @@ reading::Written KindTraits<DwellProblem>::written(const DwellProblem& problem) 
   check_one_demand(problem.topologies, all.faults);
   TableWriter constraints;
   constraints.set_deg("transmission_angle_deg", problem.constraints.transmission_angle);
+  write_design_layers(problem.layers, constraints);
   all.document =
       document_writer(kWord, problem.title, problem.length_unit)
           .set("target", dwell_target_writer(problem))
@@ -43,6 +46,8 @@ reading::Written KindTraits<DwellProblem>::written(const DwellProblem& problem) 
           .set("constraints", constraints)
           .set("solve", chain_solve_writer(problem.solve))
           .set("warnings", warnings_writer(problem.warnings))
+          .append(raster_table(problem.raster))
+          .append(layers_table(problem.layers))
           .append(tolerance_table(problem.tolerances, true))
           .take();
   return all;

@@ -55,7 +55,7 @@ double fraction(const Travel& travel, const Stroke& stroke, double at) {
 
 ActiveLoads::ActiveLoads(const Mechanism<double>& mechanism, std::span<const LoadRule> rules,
                          std::span<const Stroke> strokes)
-    : drive_turns_(!std::holds_alternative<DrivingSlider<double>>(mechanism.drive)) {
+    : drive_turns_(!driven_by_length(mechanism.drive)) {
   const std::vector<Travel> all = travels(mechanism);
   scheduled_.reserve(rules.size());
   active_.reserve(rules.size());

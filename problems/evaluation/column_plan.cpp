@@ -37,8 +37,7 @@ class Planner {
   }
 
   void add_drive() {
-    const bool slides =
-        std::holds_alternative<DrivingSlider<double>>(problem_.mechanism.mechanism.drive);
+    const bool slides = driven_by_length(problem_.mechanism.mechanism.drive);
     add(drive_column_name(problem_.mechanism.mechanism), "drive", problem_.mechanism.bodies[1],
         slides ? "length" : "deg");
   }
@@ -108,8 +107,7 @@ class Planner {
   }
 
   void add_drive_force() {
-    const bool slides =
-        std::holds_alternative<DrivingSlider<double>>(problem_.mechanism.mechanism.drive);
+    const bool slides = driven_by_length(problem_.mechanism.mechanism.drive);
     plan_.drive_force = add(slides ? "drive_force_N" : "torque_N_m", "torque",
                             problem_.mechanism.bodies[1], slides ? "N" : "N m");
   }
@@ -196,7 +194,7 @@ int needed_order(const AnalysisOutput& output) {
 }
 
 std::string drive_column_name(const Mechanism<double>& mechanism) {
-  return std::holds_alternative<DrivingSlider<double>>(mechanism.drive) ? "slide" : "crank_deg";
+  return driven_by_length(mechanism.drive) ? "slide" : "crank_deg";
 }
 
 }  // namespace cognate::problems

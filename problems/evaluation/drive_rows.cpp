@@ -20,7 +20,7 @@ double drive_at(const DriveSweep& sweep, int row) {
 
 double drive_value(const AnalysisProblem& problem, int row) {
   const DriveSweep& sweep = problem.drive;
-  if (std::holds_alternative<DrivingSlider<double>>(problem.mechanism.mechanism.drive)) {
+  if (driven_by_length(problem.mechanism.mechanism.drive)) {
     return drive_at(sweep, row);
   }
   return between(degrees(sweep.start), degrees(sweep.end), row, sweep.steps);

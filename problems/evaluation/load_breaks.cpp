@@ -84,7 +84,7 @@ std::vector<double> load_breaks(const Mechanism<double>& mechanism,
                                 const AssemblyRanges& assembly_ranges, const LoadRule& rule,
                                 const Stroke& stroke) {
   std::vector<double> breaks;
-  const bool turns = !std::holds_alternative<DrivingSlider<double>>(mechanism.drive);
+  const bool turns = !driven_by_length(mechanism.drive);
   if (rule.between) add_interval_ends(assembly_ranges, turns, *rule.between, breaks);
   if (rule.sense == LoadSense::always && !rule.within_stroke) return breaks;
   const Travel travel = travels(mechanism)[static_cast<std::size_t>(rule.at.body)];

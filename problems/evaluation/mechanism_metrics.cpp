@@ -21,7 +21,7 @@ constexpr double kSame = 1e-7;  // of the drive's scale, as for four-bars
 using States = std::span<const DriveState>;
 
 bool slides(const Mechanism<double>& mechanism) {
-  return std::holds_alternative<DrivingSlider<double>>(mechanism.drive);
+  return driven_by_length(mechanism.drive);
 }
 
 bool has_sides(const Dyad<double>& dyad) {

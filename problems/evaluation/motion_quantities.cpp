@@ -15,7 +15,7 @@ const Column& column(const Sweep& sweep, ColumnIndex index) {
 }
 
 bool slides(const AnalysisProblem& problem) {
-  return std::holds_alternative<DrivingSlider<double>>(problem.mechanism.mechanism.drive);
+  return driven_by_length(problem.mechanism.mechanism.drive);
 }
 
 /// |F| of a turning joint, |N| of a slide, at each row.

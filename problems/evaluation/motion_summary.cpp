@@ -169,7 +169,7 @@ class Summary {
     const double sense = assembly_ranges_.start <= assembly_ranges_.end ? 1 : -1;
     const AssemblyRange& first =
         sense > 0 ? assembly_ranges_.runs.front() : assembly_ranges_.runs.back();
-    const bool turns = !std::holds_alternative<DrivingSlider<double>>(mechanism_.drive);
+    const bool turns = !driven_by_length(mechanism_.drive);
     const bool from_start = (sense > 0 ? first.from_dyad : first.to_dyad) < 0;
     if (!turns || !from_start ||
         sense * (assembly_ranges_.end - assembly_ranges_.start) < kFullTurn)
@@ -199,11 +199,24 @@ class Summary {
     const double unit = travel_.slides ? 1 : kDegreesInRadian;
     if (!travel_.slides && own->stroke() >= kFullTurn) return;
     add(travel_.slides ? "output_stroke" : "output_swing_deg", unit * own->stroke());
+    if (const auto stroke = is_circuit() ? std::optional(own->stroke()) : circuit_stroke()) {
+      add(travel_.slides ? "circuit_stroke" : "circuit_swing_deg", unit * *stroke);
+    }
+  }
+
+  /// Whether the range driven is the whole circuit: a turn that meets neither dead nor change
+  /// point.
+  bool is_circuit() const {
+    const bool turns = !driven_by_length(mechanism_.drive);
+    const double driven = std::abs(assembly_ranges_.end - assembly_ranges_.start);
+    return turns && driven >= kFullTurn && assembly_ranges_.runs.size() == 1 &&
+           assembly_ranges_.points.empty();
+  }
+
+  std::optional<double> circuit_stroke() const {
     const auto stop = [this] { return deadline_.reached(); };
     const auto circuit = circuit_range(mechanism_, driven_.runs.front(), travel_, stop);
-    if (circuit) {
-      add(travel_.slides ? "circuit_stroke" : "circuit_swing_deg", unit * circuit->stroke);
-    }
+    return circuit ? std::optional(circuit->stroke) : std::nullopt;
   }
 
   /// Whether a range that ends by this dyad ends because its guides are parallel.

@@ -56,8 +56,7 @@ std::string reason(const AssemblyFault& fault) {
 }
 
 std::string place_text(const AnalysisProblem& problem, int first, int last) {
-  const bool slides =
-      std::holds_alternative<DrivingSlider<double>>(problem.mechanism.mechanism.drive);
+  const bool slides = driven_by_length(problem.mechanism.mechanism.drive);
   const char* unit = slides ? "" : "°";
   const double from = drive_value(problem, first), to = drive_value(problem, last);
   const char* what = slides ? "slide" : "crank angle";

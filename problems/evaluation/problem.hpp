@@ -40,6 +40,8 @@ struct AnalysisOutput {
   std::vector<int> instant_geometry;  ///< the bodies whose poles and circles are requested
   bool curve = false;                 ///< measures of a four-bar's coupler curve over its circuit
   bool cognates = false;              ///< Roberts' cognates of a four-bar with a coupler point
+  std::optional<int> foot{};          ///< index of the named point whose gait is measured
+  std::optional<double> duty{};       ///< its duty factor; empty: see analysis/mechanism/gait.hpp
 };
 
 /// `kind = "analysis"`.
@@ -67,7 +69,7 @@ struct KindTraits<AnalysisProblem> {
 
 /// Whether what drives the mechanism is a slider rather than a crank.
 inline bool drive_slides(const AnalysisProblem& problem) {
-  return std::holds_alternative<DrivingSlider<double>>(problem.mechanism.mechanism.drive);
+  return driven_by_length(problem.mechanism.mechanism.drive);
 }
 
 }  // namespace cognate::problems

@@ -82,6 +82,21 @@ DriveSweep read_drive(TableReader& table, bool slides, std::size_t parts) {
   return drive;
 }
 
+/// A cylinder has no length of 0 or less.
+void check_cylinder(TableReader& table, const NamedMechanism& mechanism, const DriveSweep& drive) {
+  if (!std::holds_alternative<DrivingRod<double>>(mechanism.mechanism.drive)) return;
+  if (!table.contains("start")) {
+    table.fault("start", "is missing; expected the length of the cylinder at the beginning");
+  }
+  const auto check = [&](std::string_view key, double length) {
+    if (length > 0 || !table.contains(key)) return;
+    table.fault(key,
+                fmt::format("is {}, as the length of the cylinder; expected one above 0", length));
+  };
+  check("start", drive.start);
+  check("end", drive.end);
+}
+
 bool weighs_or_bears(const AnalysisProblem& problem) {
   return !problem.loads.empty() ||
          std::ranges::any_of(problem.inertias, [](const Inertia& inertia) {
@@ -94,12 +109,13 @@ bool weighs_or_bears(const AnalysisProblem& problem) {
 void check_without_mechanism(TableReader& document, TableReader& mechanism, TableReader& drive,
                              TableReader& output) {
   const PartNames unknown = unknown_parts(document);
-  const bool slides = document.has("slider") || mechanism.has("slider");
+  const bool slides = document.has("slider") || mechanism.has("slider") ||
+                      document.has("cylinder") || mechanism.has("cylinder");
   read_links(holder("link", document, mechanism), unknown);
   read_loads(holder("load", document, mechanism), unknown, slides);
   read_gravity(holder("gravity", document, mechanism));
   read_drive(drive, slides, 0);
-  read_output(output, unknown, false);
+  read_output(output, unknown, false, slides);
 }
 
 /// What can be asked of four-bars with a coupler point alone.
@@ -141,7 +157,8 @@ AnalysisProblem KindTraits<AnalysisProblem>::read(reading::TableReader& document
   problem.loads = read_loads(holder("load", document, mechanism), read.names, slides);
   problem.gravity = read_gravity(holder("gravity", document, mechanism));
   problem.drive = read_drive(drive, slides, parts);
-  problem.output = read_output(output, read.names, weighs_or_bears(problem));
+  check_cylinder(drive, read.mechanism, problem.drive);
+  problem.output = read_output(output, read.names, weighs_or_bears(problem), slides);
   problem.mechanism = std::move(read.mechanism);
   check_coupler_curve(output, mechanism, problem);
   if (document.faults().size() == 0) {

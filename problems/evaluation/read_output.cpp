@@ -27,6 +27,7 @@ constexpr OutputWord kOutputWords[] = {{"position", &AnalysisOutput::position},
 constexpr std::string_view kWant = "want";
 constexpr std::string_view kPoints = "points";
 constexpr std::string_view kInstantGeometry = "instant_geometry";
+constexpr std::string_view kFoot = "foot", kFootDuty = "duty";
 
 void add_point_wanted(const PartNames& names, const Mention& mention, AnalysisOutput& output,
                       FaultList& faults) {
@@ -93,6 +94,26 @@ void read_instant_geometry(TableReader& table, const PartNames& names, AnalysisO
   }
 }
 
+/// The point whose gait is measured, of a link that a crank moves.
+void read_foot(TableReader& table, const PartNames& names, bool slides, AnalysisOutput& output) {
+  output.duty = table.number(kFootDuty, kDutyFactor);
+  if (!table.has(kFoot)) {
+    if (!table.has(kFootDuty)) return;
+    return table.fault(kFootDuty, "is given without foot; remove it, or give the name of a point");
+  }
+  const auto foot = read_mention(table, kFoot);
+  if (!foot) return;
+  const auto point = find_point(names, *foot, table.faults());
+  if (!point) return;
+  const bool is_fixed = names.parts().points[*point].on.front().body == 0;
+  if (is_fixed || slides) {
+    return table.fault(kFoot, is_fixed ? "is a point of the frame; expected one of a moving link"
+                                       : "is given with a driving slider; expected a crank, whose "
+                                         "turn is a step");
+  }
+  output.foot = static_cast<int>(*point);
+}
+
 void read_keys(TableReader& table, AnalysisOutput& output) {
   for (const OutputWord& quantity : kOutputWords) {
     output.*quantity.wanted = table.boolean(quantity.key).value_or(output.*quantity.wanted);
@@ -105,7 +126,7 @@ void read_keys(TableReader& table, AnalysisOutput& output) {
 
 }  // namespace
 
-AnalysisOutput read_output(TableReader& table, const PartNames& names, bool forces) {
+AnalysisOutput read_output(TableReader& table, const PartNames& names, bool forces, bool slides) {
   AnalysisOutput output;
   output.reactions = forces;
   output.torque = forces;
@@ -116,11 +137,13 @@ AnalysisOutput read_output(TableReader& table, const PartNames& names, bool forc
     add_point_wanted(names, mention, output, table.faults());
   }
   read_instant_geometry(table, names, output);
+  read_foot(table, names, slides, output);
   output.cognates = table.boolean(kCognates).value_or(false);
   output.curve = table.boolean(kCurve).value_or(false);
   const bool any = std::ranges::any_of(
       kOutputWords, [&](const OutputWord& quantity) { return output.*quantity.wanted; });
-  if (!any && !table.has(kInstantGeometry) && !output.cognates && !output.curve) {
+  const bool other = table.has(kInstantGeometry) || table.has(kFoot);
+  if (!any && !other && !output.cognates && !output.curve) {
     table.faults().add(table.where(), "[output] is empty; expected at least one quantity");
   }
   table.finish();

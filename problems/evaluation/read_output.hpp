@@ -15,7 +15,8 @@ inline constexpr std::string_view kCurve = "curve";
 
 /// The quantities that `table` requests, by `want = [...]`, a list of quantities and points, or by
 /// a key for each quantity and `points = [...]`; by `instant_geometry` the names of bodies, and
-/// `cognates`. `forces`: whether reactions and torque are requested where the file does not say.
-AnalysisOutput read_output(TableReader& table, const PartNames& names, bool forces);
+/// `cognates`, and by `foot` a point whose gait is measured. `forces`: whether reactions and torque
+/// are requested where the file does not say. `slides`: the drive is no crank.
+AnalysisOutput read_output(TableReader& table, const PartNames& names, bool forces, bool slides);
 
 }  // namespace cognate::problems::reading

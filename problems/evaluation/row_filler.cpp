@@ -42,6 +42,10 @@ double residual(const FloatingLink<double>& link, Bodies bodies) {
                    gap(bodies, {1, {}}, {2, {}}), gap(bodies, {1, {link.length, 0}}, {3, {}})});
 }
 
+double residual(const DrivingRod<double>&, Bodies bodies) {
+  return off_guide(bodies, 1, {2, {}, {1, 0}, 0});
+}
+
 // The dyads, whose bodies are n and n + 1.
 
 double residual(const Rrr<double>& dyad, Bodies bodies, int n) {
@@ -69,6 +73,11 @@ double residual(const Rpp<double>& dyad, Bodies bodies, int n) {
   return std::max({gap(bodies, dyad.point, {n, {}}),
                    off_guide(bodies, n, {n + 1, {}, dyad.slot, 0}),
                    off_guide(bodies, n + 1, dyad.guide)});
+}
+
+double residual(const Cylinder<double>& dyad, Bodies bodies, int n) {
+  return std::max({gap(bodies, dyad.base, {n, {}}), gap(bodies, dyad.pivot, {n + 1, {}}),
+                   gap(bodies, {1, {}}, {n + 1, {dyad.length, 0}})});
 }
 
 /// ẋ = x′·q̇.

@@ -28,7 +28,7 @@ std::vector<double> all_breaks(const AnalysisProblem& problem,
     std::ranges::move(load_breaks(mechanism, assembly_ranges, problem.loads[i], stroke),
                       std::back_inserter(breaks));
   }
-  if (std::holds_alternative<DrivingSlider<double>>(mechanism.drive)) return breaks;
+  if (driven_by_length(mechanism.drive)) return breaks;
   const auto [low, high] = std::minmax(assembly_ranges.start, assembly_ranges.end);
   std::vector<double> repeated;
   for (const double place : breaks) {

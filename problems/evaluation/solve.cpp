@@ -12,6 +12,8 @@
 #include "analysis/linkage/cognates.hpp"
 #include "analysis/mechanism/assembly_ranges.hpp"
 #include "analysis/mechanism/followed_motion.hpp"
+#include "analysis/mechanism/gait.hpp"
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/parallel.hpp"
 #include "problems/evaluation/curve_metrics.hpp"
@@ -30,6 +32,7 @@
 #include "problems/evaluation/tolerance_figures.hpp"
 #include "problems/evaluation/type_quantities.hpp"
 #include "problems/evaluation/whole_motion.hpp"
+#include "problems/linkage/gait_quantities.hpp"
 #include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
@@ -152,7 +155,7 @@ std::vector<std::string> motion_notes(const AnalysisProblem& problem,
   std::vector<std::string> notes;
   if (summary.ranges > 1) {
     const auto& drive = problem.mechanism.mechanism.drive;
-    const bool slides = std::holds_alternative<DrivingSlider<double>>(drive);
+    const bool slides = driven_by_length(drive);
     const double unit = slides ? 1 : 180 / kPi;
     notes.push_back(fmt::format(
         "the drive crosses {} separate ranges of the mechanism; its stroke or swing is that of the "
@@ -232,7 +235,7 @@ AssemblyRanges summarised_assembly_ranges(const AnalysisProblem& problem, const 
   const double most = 4 * kPi;
   const double length = problem.drive.end - problem.drive.start;
   const auto& drive = problem.mechanism.mechanism.drive;
-  const bool slides = std::holds_alternative<DrivingSlider<double>>(drive);
+  const bool slides = driven_by_length(drive);
   if (slides || std::abs(length) <= most) return sweep.assembly_ranges;
   const double start = problem.drive.start;
   return follow_until(problem, start, start + std::copysign(most, length), deadline);
@@ -286,6 +289,34 @@ std::vector<Cognate> cognates(const AnalysisProblem& problem) {
   return all;
 }
 
+/// A crank that turns clockwise runs through the stance from its greater angle to the smaller.
+Gait as_driven(Gait gait, const DriveSweep& drive) {
+  if (drive.rate.speed >= 0) return gait;
+  const double span = gait.to - gait.from;
+  gait.from = in_one_turn(gait.to);
+  gait.to = gait.from - span;
+  gait.sense = -gait.sense;
+  return gait;
+}
+
+/// Adds the gait of the foot, where one is named, or why it has none.
+void add_gait(AnalysisResult& result, const AnalysisProblem& problem) {
+  if (!problem.output.foot) return;
+  const auto& mechanism = problem.mechanism.mechanism;
+  const auto& [name, foot] =
+      problem.mechanism.points[static_cast<std::size_t>(*problem.output.foot)];
+  const double start = problem.drive.start;
+  const AssemblyRanges turn = follow(mechanism, start, start + kTurn);
+  const bool whole = turn.runs.size() == 1 && turn.points.empty();
+  const auto found = whole ? gait(mechanism, foot, problem.output.duty) : std::nullopt;
+  if (found) {
+    return append(result.quantities, gait_quantities(as_driven(*found, problem.drive)));
+  }
+  const char* reason = whole ? "its path has no height or no stride"
+                             : "the crank cannot make a whole turn without dead points";
+  result.notes.push_back(fmt::format("The point {} has no gait: {}.", name, reason));
+}
+
 /// Adds the extremes of forces: over the whole motion, or of the rows alone where the time does not
 /// suffice.
 void add_forces(AnalysisResult& result, const AnalysisProblem& problem, const Sweep& rows,
@@ -314,6 +345,7 @@ bool summarise_into(AnalysisResult& result, const AnalysisProblem& problem, cons
   append(result.quantities, quantities_of(summary));
   std::ranges::move(motion_notes(problem, summary), std::back_inserter(result.notes));
   append(result.quantities, curve_quantities(problem));
+  add_gait(result, problem);
   result.landmarks = std::move(landmarks);
   result.cognates = cognates(problem);
   return true;
@@ -326,6 +358,7 @@ AnalysisResult analyse(const AnalysisProblem& given, const Run& run) {
   AnalysisProblem problem = in_newtons(given, unit);
   problem.inertias.resize(problem.mechanism.bodies.size());
   const Deadline deadline(run);
+  run.enter(Phase::positions);
   Sweep rows = sweep(problem, run, deadline);
   AnalysisResult result;
   result.closed_rows = closed_rows(rows);
@@ -338,6 +371,7 @@ AnalysisResult analyse(const AnalysisProblem& given, const Run& run) {
   append(result.quantities, check_quantities(rows));
   add_tolerances(problem, rows, run, deadline, result);
   if (problem.layers && !deadline.reached()) {
+    run.enter(Phase::layers, kUnknownEnd);
     add_layers(problem, summarised_assembly_ranges(problem, rows, deadline), deadline, result);
   }
   result.work = work_of(problem, rows, run, deadline);

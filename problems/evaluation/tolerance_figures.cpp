@@ -72,6 +72,7 @@ void add_reactions(const AnalysisProblem& problem, const Deadline& deadline,
 void add_tolerances(const AnalysisProblem& problem, const Sweep& rows, const Run& run,
                     const Deadline& deadline, AnalysisResult& result) {
   if (!problem.tolerances || deadline.reached()) return;
+  run.enter(Phase::tolerances, kUnknownEnd);
   const NamedMechanism& mechanism = problem.mechanism;
   ToleranceQuestion question;
   const int count = static_cast<int>(rows.rows.size());

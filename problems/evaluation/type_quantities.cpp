@@ -24,7 +24,8 @@ Quantities rotation_quantities(std::string_view name, bool change_point, bool cr
 }
 
 std::string chain_name(const Mechanism<double>& mechanism) {
-  constexpr std::array<std::string_view, 5> kTypes = {"RRR", "RRP", "RPR", "PRP", "RPP"};
+  constexpr std::array<std::string_view, 6> kTypes = {"RRR", "RRP", "RPR",
+                                                      "PRP", "RPP", "cylinder"};
   std::string text;
   for (const auto& dyad : mechanism.dyads) {
     if (!text.empty()) text += '+';

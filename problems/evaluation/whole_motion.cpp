@@ -14,7 +14,7 @@ AssemblyRanges follow_until(const AnalysisProblem& problem, double start, double
 AssemblyRanges whole_motion(const AnalysisProblem& problem, const Deadline& deadline) {
   const auto& drive = problem.mechanism.mechanism.drive;
   const double start = problem.drive.start;
-  const bool slides = std::holds_alternative<DrivingSlider<double>>(drive);
+  const bool slides = driven_by_length(drive);
   const double end = slides ? problem.drive.end : start + kTurn;
   return follow_until(problem, start, end, deadline);
 }

@@ -50,7 +50,7 @@ TableWriter output_writer(const AnalysisProblem& problem, std::vector<std::strin
   const bool none = !wanted.position && !wanted.velocity && !wanted.acceleration &&
                     !wanted.transmission && !wanted.curvature && !wanted.reactions &&
                     !wanted.torque && wanted.points.empty() && wanted.instant_geometry.empty() &&
-                    !wanted.curve && !wanted.cognates;
+                    !wanted.curve && !wanted.cognates && !wanted.foot;
   table.set("position", wanted.position || none)
       .set("velocity", wanted.velocity)
       .set("acceleration", wanted.acceleration)
@@ -68,6 +68,13 @@ TableWriter output_writer(const AnalysisProblem& problem, std::vector<std::strin
   if (!bodies.empty()) table.set("instant_geometry", bodies);
   if (wanted.curve) table.set("curve", true);
   if (wanted.cognates) table.set("cognates", true);
+  if (wanted.foot) {
+    const Array foot = names_of(
+        {*wanted.foot}, mechanism.points.size(), "foot",
+        [&](std::size_t i) { return mechanism.points[i].name; }, faults);
+    if (!foot.empty()) table.add("foot", foot.front());
+  }
+  table.set("duty", wanted.duty);
   return table;
 }
 

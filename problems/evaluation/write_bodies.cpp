@@ -40,6 +40,7 @@ struct Digest {
     add(link.second);
     add(link.length);
   }
+  void operator()(const DrivingRod<double>&) {}
   void operator()(const Rrr<double>& dyad) {
     add(dyad.first);
     add(dyad.second);
@@ -67,6 +68,12 @@ struct Digest {
     add(dyad.point);
     add(dyad.slot);
     add(dyad.guide);
+  }
+  void operator()(const Cylinder<double>& dyad) {
+    add(dyad.base);
+    add(dyad.pivot);
+    add(dyad.length);
+    add(dyad.assembly);
   }
 
  private:

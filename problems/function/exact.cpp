@@ -137,8 +137,7 @@ void sort_by_merit(std::vector<Design>& designs) {
 }
 
 /// How many of the solutions of the equations are real.
-void note_real_ones(std::size_t real, std::size_t count, std::vector<std::string>& notes) {
-  const std::size_t all = count == 5 ? 3 : count == 4 ? 2 : 1;
+void note_real_ones(std::size_t real, std::size_t all, std::vector<std::string>& notes) {
   if (real == 0 && all > 1) {
     notes.push_back(
         fmt::format("None of the {} solutions is real: no mechanism passes through "
@@ -150,10 +149,18 @@ void note_real_ones(std::size_t real, std::size_t count, std::vector<std::string
   }
 }
 
+/// How many solutions the equations have: a cubic where both starts are found, else a quadratic,
+/// but linear equations where both starts are given, or a start displacement beside an offset.
+std::size_t solution_count(const FunctionProblem& problem) {
+  if (!problem.input_start && !problem.output_start) return 3;
+  const bool linear = problem.offset ? problem.output_start.has_value()
+                                     : problem.input_start && problem.output_start;
+  return linear ? 1 : 2;
+}
+
 Result solve_for_points(const FunctionProblem& problem, const FunctionSamples& wanted) {
   Result result;
   auto found = exact_designs(problem, wanted, {problem.input_start, problem.output_start});
-  const std::size_t count = condition_count(wanted.precision);
   result.designs = std::move(found.designs);
   result.notes = std::move(found.notes);
   sort_by_merit(result.designs);
@@ -163,7 +170,7 @@ Result solve_for_points(const FunctionProblem& problem, const FunctionSamples& w
                     "dependent to within rounding.",
                     conditions_in_words(wanted)));
   } else {
-    note_real_ones(found.solutions, count, result.notes);
+    note_real_ones(found.solutions, solution_count(problem), result.notes);
   }
   if (problem.spacing == PointSpacing::equal_peaks) level_peaks(problem, wanted, result);
   result.work.positions = result.designs.size() * (wanted.samples.size() + wanted.precision.size());
@@ -236,7 +243,8 @@ Result solve_exactly(const FunctionProblem& problem, const Deadline& deadline) {
         "there cannot be found from its values. Give pairs with their derivatives instead.");
     return result;
   }
-  const std::size_t unknown = 3 + std::size_t{!problem.input_start} + !problem.output_start;
+  const std::size_t unknown = (problem.offset ? 2 : 3) + std::size_t{!problem.input_start} +
+                              std::size_t{!problem.output_start};
   const bool family = condition_count(wanted.precision) < unknown;
   result = solve_conditions(problem, wanted, family, deadline);
   note_designs(wanted, result);

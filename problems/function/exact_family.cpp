@@ -68,7 +68,8 @@ class FamilySearch {
                const Deadline& deadline)
       : problem_(problem), wanted_(wanted), deadline_(deadline) {
     const std::size_t missing = std::size_t{!problem.input_start} + !problem.output_start;
-    const std::size_t dimension = 3 + missing - condition_count(wanted.precision);
+    const std::size_t lengths = problem.offset ? 2 : 3;
+    const std::size_t dimension = lengths + missing - condition_count(wanted.precision);
     // Where one of two free starts follows from the conditions, the input is the one to choose.
     if (!problem.input_start) free_.push_back(free_start(true));
     if (!problem.output_start && free_.size() < dimension) free_.push_back(free_start(false));

@@ -8,6 +8,7 @@
 
 #include "analysis/linkage/motion_within.hpp"
 #include "analysis/linkage/slider_crank_mobility.hpp"
+#include "problems/basics/enumeration.hpp"
 #include "problems/evaluation/mechanism_metrics.hpp"
 #include "problems/function/exact.hpp"
 #include "problems/function/generator.hpp"
@@ -47,16 +48,12 @@ bool closes(const Design& design, const Range& sweep) {
 /// "Design 2" or "Designs 1, 2 and 4", of those for which `applies` holds; empty where none.
 template <class Applies>
 std::string designs_where(const std::vector<Design>& designs, const Applies& applies) {
-  std::vector<std::size_t> numbers;
+  std::vector<std::string> numbers;
   for (std::size_t i = 0; i < designs.size(); ++i) {
-    if (applies(designs[i])) numbers.push_back(i + 1);
+    if (applies(designs[i])) numbers.push_back(std::to_string(i + 1));
   }
   if (numbers.empty()) return {};
-  std::string text = fmt::format("Design{} {}", numbers.size() > 1 ? "s" : "", numbers[0]);
-  for (std::size_t i = 1; i < numbers.size(); ++i) {
-    text += fmt::format("{}{}", i + 1 == numbers.size() ? " and " : ", ", numbers[i]);
-  }
-  return text;
+  return fmt::format("Design{} {}", numbers.size() > 1 ? "s" : "", enumeration(numbers));
 }
 
 void note_turned(Result& result) {

@@ -68,6 +68,16 @@ std::vector<ConstraintCheck> checks_of(const FunctionProblem& problem,
   const SliderCrank& m = generator.mechanism;
   check_length(checks, "crank", m.crank, problem.bounds.crank);
   check_length(checks, "coupler", m.coupler, problem.bounds.coupler);
+  const double unit = std::max({m.crank, m.coupler, std::abs(m.offset)});
+  if (const auto& given = problem.offset) {
+    checks.push_back({"mechanism.offset", m.offset, *given,
+                      std::abs(m.offset - *given) <= kCheckTolerance * unit});
+  }
+  if (const auto& bounds = problem.offset_bounds) {
+    checks.push_back({"bounds.offset", m.offset, *bounds,
+                      m.offset >= bounds->min - kCheckTolerance * unit &&
+                          m.offset <= bounds->max + kCheckTolerance * unit});
+  }
   if (const auto& limits = problem.constraints.transmission_angle) {
     const bool low =
         metrics.transmission_min - limits->min < limits->max - metrics.transmission_max;
@@ -144,7 +154,9 @@ Design design_of(const FunctionProblem& problem, const FunctionSamples& wanted,
 
 ExactDesigns exact_slider_cranks(const FunctionProblem& problem, const FunctionSamples& wanted,
                                  const GivenStart& start) {
-  const auto found = synthesis::slider_crank_functions(wanted.precision, start);
+  const auto found =
+      problem.offset ? synthesis::slider_crank_functions(wanted.precision, start, *problem.offset)
+                     : synthesis::slider_crank_functions(wanted.precision, start);
   ExactDesigns result;
   result.dependent = found.dependent;
   result.solutions = found.solutions.size();

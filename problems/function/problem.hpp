@@ -13,6 +13,7 @@
 #include "problems/basics/kind.hpp"
 #include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/layers/layers.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
 #include "problems/raster/raster.hpp"
@@ -75,14 +76,17 @@ struct FunctionProblem {
   /// α₀, φ₀ where the file fixes them; of a slider-crank the crank's angle from the slide direction
   /// and the displacement from the foot of the perpendicular from the pivot.
   std::optional<double> input_start, output_start;
-  Given given;    ///< lengths and assembly only
-  Bounds bounds;  ///< lengths only
+  std::optional<double> offset{};  ///< of a slider-crank's slide line, positive to its left
+  Given given;                     ///< lengths and assembly only
+  Bounds bounds;                   ///< lengths only
   std::optional<Range> input_start_bounds, output_start_bounds;
+  std::optional<Range> offset_bounds{};
   Constraints constraints;
   Solve solve;
   WarningLimits warnings{};
   std::optional<Raster> raster;  ///< least squares; which lengths take single values only
   std::optional<Tolerances> tolerances{};
+  std::optional<DesignLayers> layers{};
   std::optional<BestBy> best_by;  ///< empty: by error for functions, by transmission for pairs
 };
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "analysis/numbers/constants.hpp"
@@ -11,7 +12,9 @@
 #include "problems/function/problem.hpp"
 #include "problems/function/read_goal.hpp"
 #include "problems/function/read_target.hpp"
+#include "problems/layers/link_names.hpp"
 #include "problems/linkage/cycle/read_cycle.hpp"
+#include "problems/linkage/design_layers.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_linkage.hpp"
@@ -72,8 +75,20 @@ void read_start(TableReader& mechanism, TableReader& bounds, FunctionProblem& pr
   }
 }
 
-// Three conditions determine the three ratios of the lengths (of a slider-crank three lengths),
-// each further one a start that is not given; with fewer a family is left.
+// The offset of a slider-crank, where it is given one length less to find.
+void read_offset(TableReader& mechanism, TableReader& bounds, FunctionProblem& problem) {
+  constexpr std::string_view kKey = "offset";
+  problem.offset = mechanism.number(kKey, kNumber);
+  problem.offset_bounds = bounds.range(kKey, kCoordinateLimit);
+  const auto& [offset, range] = std::tie(problem.offset, problem.offset_bounds);
+  if (!offset || !range || (*offset >= range->min && *offset <= range->max)) return;
+  mechanism.fault(kKey, fmt::format("is {}, outside its bounds; bounds.offset allows [{}, {}]",
+                                    *offset, range->min, range->max));
+}
+
+// Three conditions determine the three ratios of the lengths (of a slider-crank three lengths, or
+// two beside a given offset), each further one a start that is not given; with fewer a family is
+// left.
 void check_exact_start(TableReader& mechanism, FunctionProblem& problem) {
   const std::string_view output = output_key(problem);
   if (problem.start != FunctionStart::free) {
@@ -85,20 +100,25 @@ void check_exact_start(TableReader& mechanism, FunctionProblem& problem) {
   }
   const bool pairs = std::holds_alternative<AnglePairs>(problem.target);
   const bool any = mechanism.has(kInputStart) || mechanism.has(output) || mechanism.has("start");
-  if (pairs && problem.precision_points == 3 && !any) {
+  const bool has_offset = problem.type == MechanismType::slider_crank && mechanism.has("offset");
+  if (pairs && problem.precision_points == 3 && !any && !has_offset) {
     // The pairs are then counted from the frame line (from the slide direction and the foot).
     problem.input_start = 0;
     problem.output_start = 0;
     return;
   }
-  int room = 5 - problem.precision_points;  // how many starts may be given
+  int room = 5 - problem.precision_points;  // how many of these may be given
+  if (has_offset && --room < 0) {
+    mechanism.fault("offset",
+                    "is given, but five conditions determine it; remove it or give fewer");
+  }
   for (const std::string_view key : {kInputStart, output}) {
     if (!mechanism.has(key) || --room >= 0) continue;
     mechanism.fault(
-        key,
-        fmt::format("is given, but {} conditions leave {} start to be given; remove "
-                    "it or give fewer",
-                    problem.precision_points, problem.precision_points == 5 ? "no" : "only one"));
+        key, fmt::format("is given, but {} conditions{} leave {} start to be given; remove "
+                         "it or give fewer",
+                         problem.precision_points, has_offset ? " and the offset" : "",
+                         problem.precision_points + int{has_offset} >= 5 ? "no" : "only one"));
   }
 }
 
@@ -187,6 +207,7 @@ void read_four_bar_tables(TableReader& mechanism, TableReader& bounds, TableRead
 void read_slider_tables(TableReader& mechanism, TableReader& bounds, TableReader& constraints,
                         bool target_read, FunctionProblem& problem) {
   read_slider_bounds(bounds, problem);
+  read_offset(mechanism, bounds, problem);
   read_start(mechanism, bounds, problem);
   if (problem.objective == FunctionObjective::exact) {
     check_exact_start(mechanism, problem);
@@ -269,9 +290,7 @@ std::string_view raster_refusal(const FunctionProblem& problem) {
 }
 
 std::string_view robust_refusal(const FunctionProblem& problem) {
-  if (!problem.tolerances) {
-    return "is given without tolerances, of which it is a quantile; add [tolerance] or remove it";
-  }
+  if (const auto why = robust_tolerance_refusal(problem.tolerances); !why.empty()) return why;
   if (problem.raster) return "is given with a raster; remove one of them";
   if (problem.objective != FunctionObjective::least_squares) {
     return "is given, but robust designs start from least squares; expected objective = "
@@ -293,6 +312,10 @@ std::optional<Raster> read_function_raster(TableReader& document, TableReader& m
   }
   check_raster_bounds(document, *raster, problem.given, problem.bounds);
   return raster;
+}
+
+LinkNames function_links(MechanismType type) {
+  return type == MechanismType::slider_crank ? links_of<SliderCrank>() : links_of<FourBar>();
 }
 
 ToleranceScope function_scope(const FunctionProblem& problem) {
@@ -344,6 +367,8 @@ FunctionProblem KindTraits<FunctionProblem>::read(reading::TableReader& document
 
   problem.tolerances = read_tolerances(document, function_scope(problem));
   read_robust(solve, robust_refusal(problem), problem.solve);
+  problem.layers = read_design_layers(document, constraints, function_links(problem.type),
+                                      layers_max_refusal(problem.solve));
   tables.finish();
   problem.warnings = read_warnings(document);
   return problem;

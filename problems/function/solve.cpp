@@ -32,6 +32,7 @@
 #include "problems/function/target/jumps.hpp"
 #include "problems/linkage/certifying.hpp"
 #include "problems/linkage/cycle/cycle_metrics.hpp"
+#include "problems/linkage/design_layers.hpp"
 #include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/long_links.hpp"
@@ -40,6 +41,7 @@
 #include "problems/linkage/verify.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/raster/report.hpp"
+#include "problems/raster/run_parts.hpp"
 #include "problems/search/infeasibility.hpp"
 #include "problems/search/objectives.hpp"
 #include "problems/search/solver_origin.hpp"
@@ -176,7 +178,8 @@ Result solve_on_raster(const FunctionProblem& problem, const Run& run, const Dea
   const FunctionSamples wanted = function_samples(problem);
   FunctionProblem with_more = problem;
   with_more.solve.designs = std::max(problem.solve.designs, kMinima);
-  const auto continuous = search_functions(with_more, wanted, run, deadline, result.work);
+  const auto continuous =
+      search_functions(with_more, wanted, between_values(run), deadline, result.work);
   const auto design_of = [&](const FunctionGenerator& generator) {
     Design design = function_design(problem, wanted, generator,
                                     positions_of(generator, wanted.samples), "raster");
@@ -188,7 +191,7 @@ Result solve_on_raster(const FunctionProblem& problem, const Run& run, const Dea
     return std::isfinite(design.error.sum_of_squares) && all_satisfied(design.constraints);
   };
   const auto found =
-      search_function_raster(problem, wanted, continuous.minima, accepts, run, deadline);
+      search_function_raster(problem, wanted, continuous.minima, accepts, on_values(run), deadline);
   for (const FunctionGenerator& one : found.designs) result.designs.push_back(design_of(one));
   result.quantities = quantities(continuous.statistics);
   const auto error = [&](double objective) {
@@ -204,6 +207,7 @@ Result solve_on_raster(const FunctionProblem& problem, const Run& run, const Dea
 /// The nominal optimum and other minima, and from these the designs whose quantile is least.
 Result solve_robustly(const FunctionProblem& problem, const Run& run, const Deadline& deadline) {
   Result result;
+  run.enter(Phase::search, kStartsDone);
   const FunctionSamples wanted = function_samples(problem);
   FunctionProblem with_more = problem;
   with_more.solve.designs = std::max(problem.solve.designs, kMinima);
@@ -290,20 +294,20 @@ Result solve(const FunctionProblem& given, const Run& run) {
   const auto solve_one = [&](const FunctionProblem& one, const Run& own) {
     return solve_by_search(one, own, deadline);
   };
-  const auto solve_as_asked = [&] {
-    if (exact) return solve_exactly(problem, deadline);
-    if (problem.raster) return solve_on_raster(problem, run, deadline);
-    if (problem.solve.robust) return solve_robustly(problem, run, deadline);
-    return solve_objectives(problem, before_certificate(run, problem.solve), deadline, solve_one);
+  const Run unseen = silent(run);
+  const auto solve_as_asked = [&](const FunctionProblem& asked, const Run& own) {
+    if (exact) return solve_exactly(asked, deadline);
+    if (asked.raster) return solve_on_raster(asked, own, deadline);
+    if (asked.solve.robust) return solve_robustly(asked, own, deadline);
+    Result found = solve_objectives(asked, own, deadline, solve_one);
+    const auto solve_once = [&](const FunctionProblem& other) { return solve_one(other, unseen); };
+    add_infeasibility(asked, own, deadline, solve_once, found);
+    return found;
   };
-  Result result = solve_as_asked();
+  Result result =
+      solve_in_layers(problem, before_certificate(run, problem.solve),
+                      exact ? DesignSource::exact : DesignSource::search, solve_as_asked);
   if (!exact && !problem.raster && !problem.solve.robust) {
-    Run silent = run;
-    silent.progress = nullptr;
-    const auto solve_once = [&](const FunctionProblem& other) {
-      return solve_by_search(other, silent, deadline);
-    };
-    add_infeasibility(problem, deadline, solve_once, result);
     if (problem.solve.certify) add_certificate(problem, run, deadline, result);
     merge_long_links(result);
   }

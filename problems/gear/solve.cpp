@@ -22,6 +22,8 @@ namespace {
 /// Of more combinations than these, each with two unknowns, those are searched finely that a coarse
 /// search puts first; of more than those coarsely that a rough one does.
 constexpr std::size_t kMostFine = 100, kMostCoarse = 2000;
+/// Shares of the run, for progress, after the first of several searches and after the second.
+constexpr double kSievedDone = 0.4, kCoarseDone = 0.7;
 
 /// Searches combinations; keeps what its parts share.
 class Solver {
@@ -37,15 +39,17 @@ class Solver {
     for (const GearCombination& each : combinations) found_.push_back(unsearched(each));
     if (!problem_.centre_distance && found_.size() > kMostFine) {
       const bool are_many = found_.size() > kMostCoarse;
-      const std::size_t looked = search(are_many ? SearchDepth::rough : SearchDepth::coarse);
+      const std::size_t looked =
+          search(are_many ? SearchDepth::rough : SearchDepth::coarse, 0, kSievedDone);
       add_quantity("combinations_searched_coarsely", double(looked));
       note_cut(sieved, looked);
       if (are_many) {
         keep_first(kMostCoarse);
-        search(SearchDepth::coarse);
+        search(SearchDepth::coarse, kSievedDone, kCoarseDone);
       }
       keep_first(kMostFine);
-      add_quantity("combinations_searched", double(search(SearchDepth::fine)));
+      add_quantity("combinations_searched",
+                   double(search(SearchDepth::fine, are_many ? kCoarseDone : kSievedDone)));
     } else {
       const std::size_t looked = search(SearchDepth::fine);
       add_quantity("combinations_searched", double(looked));
@@ -93,10 +97,12 @@ class Solver {
 
   /// Searches all of `found_` until the deadline, but at least `solve.designs`; what is not
   /// searched stays as it is. How many were.
-  std::size_t search(SearchDepth depth) {
+  std::size_t search(SearchDepth depth, double from = 0, double to = 1) {
     const int least = deadline_.interrupted() ? 1 : problem_.solve.designs;
     std::atomic<std::size_t> looked = 0;
     result_.work.threads = thread_count(run_.threads);
+    run_.enter(Phase::search, to);
+    const Run run = part_of(run_, from, to);
     double best = HUGE_VAL;  // of those of thread 0
     const auto look = [&](int index, int thread) {
       PairDesign& found = found_[static_cast<std::size_t>(index)];
@@ -107,9 +113,9 @@ class Solver {
       const auto searched = GearPairSearch(problem_, combination).best(depth);
       const bool was_better = found.merit() < 0 && searched && is_better(found, *searched);
       if (searched && !was_better) found = *searched;
-      if (thread != 0 || !run_.progress) return;
+      if (thread != 0 || !run.progress) return;
       if (found.violation == 0) best = std::min(best, found.objective);
-      run_.progress(double(index + 1) / double(found_.size()), best);
+      run.progress(double(index + 1) / double(found_.size()), best);
     };
     parallel_for(static_cast<int>(found_.size()), run_.threads, look);
     return looked;

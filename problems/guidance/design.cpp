@@ -235,7 +235,7 @@ void add_moving_bounds(const MotionProblem& problem, const DyadPair& pair,
 }
 
 void add_drive(const GuidedMechanism& guided, Design& design) {
-  const bool slides = std::holds_alternative<DrivingSlider<double>>(guided.chain.drive);
+  const bool slides = driven_by_length(guided.chain.drive);
   int number = 0;
   for (const auto& station : guided.stations) {
     if (slides) {

@@ -11,6 +11,7 @@
 #include "problems/basics/kind.hpp"
 #include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/layers/layers.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/raster/raster.hpp"
 #include "problems/tolerance/tolerances.hpp"
@@ -54,6 +55,7 @@ struct MotionProblem {
   Solve solve;
   WarningLimits warnings{};
   std::optional<Tolerances> tolerances{};
+  std::optional<DesignLayers> layers{};
   std::optional<Raster> raster{};  ///< least squares, links alone
   bool designs_given = false;      ///< whether the file limits how many designs are returned
 };

@@ -1,4 +1,4 @@
-#include "problems/raster/read.hpp"
+#include "problems/tolerance/read.hpp"
 
 #include <fmt/core.h>
 
@@ -6,14 +6,15 @@
 #include <cmath>
 
 #include "problems/guidance/problem.hpp"
+#include "problems/guidance/read_made.hpp"
+#include "problems/layers/link_names.hpp"
 #include "problems/linkage/cycle/read_cycle.hpp"
+#include "problems/linkage/design_layers.hpp"
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_linkage.hpp"
-#include "problems/linkage/read_raster.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
 #include "problems/search/read_objectives.hpp"
-#include "problems/tolerance/read.hpp"
 #include "problems/toml/nearest.hpp"
 #include "problems/toml/table_reader.hpp"
 
@@ -291,59 +292,12 @@ void keep_to_links(TableReader& mechanism, MotionProblem& problem) {
   problem.dyads = {DyadKind::rr};
 }
 
-// What speaks against a raster.
-std::string_view motion_raster_refusal(const MotionProblem& problem) {
-  if (problem.method == MotionMethod::exact) {
-    return "is given with poses that are met exactly, which dimensions on a raster do not do; "
-           "expected target.method = \"least-squares\", which takes three poses or more";
-  }
-  const Constraints& constraints = problem.constraints;
-  if (!constraints.no_branch_defect && !constraints.no_circuit_defect) {
-    return "is given with no_branch_defect = false and no_circuit_defect = false, by which each "
-           "pose may have an assembly of its own; remove one of them";
-  }
-  return search_raster_refusal(problem.solve);
-}
-
-// Faults a raster without a value within the bounds of a dimension.
-void check_motion_raster(TableReader& document, const MotionProblem& problem) {
-  const Raster& raster = *problem.raster;
-  const auto check = [&](std::string_view key, const std::optional<Range>& range,
-                         const std::string& name) {
-    if (range) check_raster_values(document, raster, key, {}, *range, name);
-  };
-  const auto check_box = [&](std::string_view key, const std::optional<Box>& box,
-                             const std::string& name) {
-    if (!box) return;
-    check(key, Range{box->min.x, box->max.x}, name);
-    check(key, Range{box->min.y, box->max.y}, name);
-  };
-  const Bounds& bounds = problem.bounds;
-  if (!problem.crank) check("crank", bounds.crank, "bounds.crank");
-  if (!problem.rocker) check("rocker", bounds.rocker, "bounds.rocker");
-  // Which dyad a single pivot belongs to is not known before the search.
-  if (problem.fixed_pivots.empty()) {
-    check_box("pivots", bounds.pivot_a, "bounds.pivot_a");
-    check_box("pivots", bounds.pivot_d, "bounds.pivot_d");
-  }
-  if (problem.moving_pivots.empty()) {
-    check_box("moving_pivots", problem.moving_bounds[0], "bounds.moving_pivot_a");
-    check_box("moving_pivots", problem.moving_bounds[1], "bounds.moving_pivot_d");
-  }
-}
-
-// On a raster both dyads are links.
-void read_motion_raster(TableReader& document, TableReader& mechanism, MotionProblem& problem) {
-  constexpr std::string_view kKeys[] = {"length", "pivots", "moving_pivots", "crank", "rocker"};
-  problem.raster = read_raster(document, kKeys, motion_raster_refusal(problem));
-  if (!problem.raster) return;
-  if (mechanism.has("dyads") && problem.dyads != std::vector{DyadKind::rr}) {
-    mechanism.fault("dyads",
-                    "are not \"RR\" alone, but a raster is searched for four-bars; expected dyads "
-                    "= [\"RR\"]");
-  }
-  problem.dyads = {DyadKind::rr};
-  check_motion_raster(document, problem);
+/// The names of the links of every mechanism that guides a body.
+LinkNames guiding_links(bool four_bars) {
+  if (four_bars) return links_of<FourBar>();
+  LinkNames names = links_of<FourBar, SliderCrank, OscillatingBlock, EllipticTrammel>();
+  names.push_back({"slider", "block", "bar"});
+  return names;
 }
 
 }  // namespace
@@ -414,7 +368,11 @@ MotionProblem KindTraits<MotionProblem>::read(reading::TableReader& document,
       problem.constraints, problem.solve);
 
   read_motion_raster(document, mechanism, problem);
-  problem.tolerances = read_tolerances(document, four_bars ? four_bar_scope() : ToleranceScope{});
+  const bool has_links = four_bars || solve.has("robust");
+  problem.tolerances = read_tolerances(document, has_links ? four_bar_scope() : ToleranceScope{});
+  read_motion_robust(mechanism, solve, problem);
+  problem.layers = read_design_layers(document, constraints, guiding_links(four_bars),
+                                      layers_max_refusal(problem.solve));
   tables.finish();
   problem.warnings = read_warnings(document);
   return problem;

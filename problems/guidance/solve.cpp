@@ -13,6 +13,7 @@
 #include "problems/guidance/least_squares.hpp"
 #include "problems/guidance/problem.hpp"
 #include "problems/guidance/search.hpp"
+#include "problems/linkage/design_layers.hpp"
 #include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/long_links.hpp"
 #include "problems/linkage/result.hpp"
@@ -295,10 +296,11 @@ Result solve(const MotionProblem& given, const Run& run) {
   if (!valid) return refused<Result>(valid.error());
   const MotionProblem problem = in_joules(*valid);
   const bool exact = problem.method != MotionMethod::least_squares;
-  Result result = exact ? solve_exactly(problem, run) : solve_by_least_squares(problem, run);
+  Result result = solve_in_layers(problem, run, exact ? DesignSource::exact : DesignSource::search,
+                                  exact ? solve_exactly : solve_by_least_squares);
   std::vector<Vec2d> origins;
   for (const Pose& pose : problem.poses) origins.push_back(pose.at);
-  if (!exact) merge_long_links(result);
+  if (!exact && !problem.solve.robust) merge_long_links(result);
   mark_twins(result.designs);
   add_warnings(extent_of(origins), problem.warnings, result);
   add_tolerances(

@@ -5,6 +5,7 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/guidance/problem.hpp"
+#include "problems/layers/read.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/raster/read.hpp"
@@ -65,14 +66,17 @@ reading::Written KindTraits<MotionProblem>::written(const MotionProblem& problem
   TableWriter bounds = bounds_writer(problem.bounds);
   bounds.set("moving_pivot_a", problem.moving_bounds[0])
       .set("moving_pivot_d", problem.moving_bounds[1]);
+  TableWriter constraints = constraints_writer(problem.constraints);
+  write_design_layers(problem.layers, constraints);
   all.document = document_writer(kWord, problem.title, problem.length_unit)
                      .set("target", written_target(problem))
                      .set("mechanism", written_mechanism(problem))
                      .set("bounds", bounds)
-                     .set("constraints", constraints_writer(problem.constraints))
+                     .set("constraints", constraints)
                      .append(operation_tables(problem.constraints, problem.solve, all.faults))
                      .set("solve", solve_writer(problem.solve))
                      .set("warnings", warnings_writer(problem.warnings))
+                     .append(layers_table(problem.layers))
                      .append(tolerance_table(problem.tolerances, false))
                      .append(raster_table(problem.raster))
                      .take();

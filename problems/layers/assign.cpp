@@ -182,12 +182,21 @@ class LayerAssigner {
 
 }  // namespace
 
+std::vector<Quantity> layer_quantities(const LayerResult& layers) {
+  if (!layers.count) return {};
+  double crossings = 0;
+  for (const auto& pin : layers.pins) crossings += static_cast<double>(pin.crosses.size());
+  return {{"layers.count", static_cast<double>(*layers.count)},
+          {"layers.pin_crossings", crossings}};
+}
+
 PlateSizes plate_sizes(const NamedMechanism& mechanism, const LayerSizes& sizes) {
   PlateSizes plates{std::vector<double>(mechanism.bodies.size(), sizes.link_width),
                     sizes.pin_diameter, sizes.clearance};
   for (const auto& [link, width] : sizes.widths) {
-    const auto body = std::ranges::find(mechanism.bodies, link) - mechanism.bodies.begin();
-    plates.widths.at(static_cast<std::size_t>(body)) = width;
+    const auto body = std::ranges::find(mechanism.bodies, link);
+    if (body == mechanism.bodies.end()) continue;  // a link of another mechanism of the search
+    plates.widths[static_cast<std::size_t>(body - mechanism.bodies.begin())] = width;
   }
   return plates;
 }

@@ -5,9 +5,11 @@
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "analysis/layers/plates.hpp"
 #include "analysis/mechanism/assembly_ranges.hpp"
+#include "problems/basics/quantity.hpp"
 #include "problems/layers/layers.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
 
@@ -23,5 +25,8 @@ tl::expected<LayerResult, std::string> assign_layers(const NamedMechanism& mecha
                                                      const AssemblyRanges& motion,
                                                      const LayerSizes& sizes,
                                                      const std::function<bool()>& stop = {});
+
+/// The number of layers and how often pins cross one, where there are layers.
+std::vector<Quantity> layer_quantities(const LayerResult& layers);
 
 }  // namespace cognate::problems

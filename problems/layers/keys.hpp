@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "analysis/layers/stacking.hpp"
 #include "problems/layers/layers.hpp"
 #include "problems/toml/keys.hpp"
 
@@ -21,6 +22,14 @@ inline constexpr std::array kLayerKeys{
     key<&LayerSizes::clearance>("clearance",
                                 "that links and pins of one layer keep from each other (default 0)",
                                 kPlayRule),
+    key<&LayerSizes::thickness>("thickness", "of every link, for the bill of material", kLength),
     own_key<LayerSizes>(kLinkWidths, "{coupler = 8}: of links that have their own, by name")};
+
+inline constexpr std::string_view kLayersMeaning = "in how many layers the links pass each other";
+
+/// Of `[constraints]`. Links on one pin lie in different layers: no linkage has one layer alone.
+inline constexpr std::array kLayersMaxKeys{key<&DesignLayers::max>(
+    "layers_max", "with [layers]: the most layers above the frame that the links may need",
+    IntegerRule{2, kMostStackedLinks})};
 
 }  // namespace cognate::problems::reading

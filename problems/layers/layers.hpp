@@ -19,7 +19,14 @@ struct LayerSizes {
   double link_width = 0;
   double pin_diameter = 0;
   double clearance = 0;
-  std::vector<LinkWidth> widths;  ///< in the order of the bodies
+  std::optional<double> thickness{};  ///< of a link: how high a layer is
+  std::vector<LinkWidth> widths{};    ///< in the order of the bodies
+};
+
+/// `[layers]` of a problem whose designs are to be layered, and `constraints.layers_max`.
+struct DesignLayers {
+  LayerSizes sizes;
+  std::optional<int> max{};  ///< layers above the frame that a design may need
 };
 
 /// Why two parts cannot share a layer: they are joined or slide on each other; they collide; or it

@@ -3,11 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <span>
 #include <string>
 
 #include "analysis/layers/stacking.hpp"
 #include "analysis/mechanism/joints.hpp"
 #include "problems/layers/keys.hpp"
+#include "problems/mechanism/driving_cylinder.hpp"
 
 namespace cognate::problems::reading {
 namespace {
@@ -19,11 +21,10 @@ int least_links(const NamedMechanism& mechanism) {
   return static_cast<int>(mechanism.bodies.size()) - 1 - static_cast<int>(slides);
 }
 
-void read_widths(TableReader& table, const NamedMechanism& mechanism, LayerSizes& sizes) {
+void read_widths(TableReader& table, std::span<const std::string> links, LayerSizes& sizes) {
   if (!table.has(kLinkWidths)) return;
   TableReader widths = table.table(kLinkWidths);
-  for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
-    const std::string& name = mechanism.bodies[body];
+  for (const std::string& name : links) {
     if (const auto width = widths.number(name, kLength)) sizes.widths.push_back({name, *width});
   }
   widths.finish();
@@ -41,25 +42,69 @@ void check_pins(TableReader& table, const LayerSizes& sizes) {
                                 sizes.pin_diameter, narrowest));
 }
 
-}  // namespace
-
-std::optional<LayerSizes> read_layers(TableReader& document, const NamedMechanism& mechanism) {
-  if (!document.has(kLayersTable)) return std::nullopt;
+/// `least`: how many links have a layer in any case.
+LayerSizes read_sizes(TableReader& document, std::span<const std::string> links, int least) {
   TableReader table = document.table(kLayersTable);
   LayerSizes sizes;
   read_keys(table, kLayerKeys, sizes);
   for (const std::string_view needed : {"link_width", "pin_diameter"}) {
     if (!table.has(needed)) table.fault(needed, "is missing; expected a length");
   }
-  read_widths(table, mechanism, sizes);
+  read_widths(table, links, sizes);
   check_pins(table, sizes);
-  if (const int links = least_links(mechanism); links > kMostStackedLinks) {
+  if (least > kMostStackedLinks) {
     table.faults().add(table.where(),
                        fmt::format("[layers] is given for {} links; at most {} can be layered",
-                                   links, kMostStackedLinks));
+                                   least, kMostStackedLinks));
   }
   table.finish();
   return sizes;
+}
+
+}  // namespace
+
+std::optional<LayerSizes> read_layers(TableReader& document, const NamedMechanism& mechanism) {
+  if (!document.has(kLayersTable)) return std::nullopt;
+  if (has_driving_cylinder(mechanism)) {
+    document.fault(kLayersTable,
+                   "is given for a mechanism that a cylinder drives, whose rod and barrel are no "
+                   "plates; remove it");
+  }
+  return read_sizes(document, std::span(mechanism.bodies).subspan(1), least_links(mechanism));
+}
+
+std::optional<DesignLayers> read_design_layers(TableReader& document, TableReader& constraints,
+                                               const LinkNames& names, std::string_view refusal) {
+  DesignLayers layers;
+  const std::string_view key = kLayersMaxKeys.front().name;
+  read_keys(constraints, kLayersMaxKeys, layers);
+  const bool has_sizes = document.has(kLayersTable);
+  if (constraints.has(key) && !has_sizes) {
+    constraints.fault(key,
+                      "is given without [layers], which has the widths of links and pins; expected "
+                      "link_width and pin_diameter there");
+  } else if (constraints.has(key) && !refusal.empty()) {
+    constraints.fault(key, refusal);
+  }
+  if (!has_sizes) return std::nullopt;
+  std::vector<std::string> all;
+  std::size_t most = 0;
+  for (const auto& links : names) {
+    most = std::max(most, links.size());
+    for (const std::string& link : links) {
+      if (std::ranges::find(all, link) == all.end()) all.push_back(link);
+    }
+  }
+  layers.sizes = read_sizes(document, all, static_cast<int>(most));
+  return layers;
+}
+
+void write_design_layers(const std::optional<DesignLayers>& layers, TableWriter& constraints) {
+  if (layers) write_keys(*layers, kLayersMaxKeys, constraints);
+}
+
+Table layers_table(const std::optional<DesignLayers>& layers) {
+  return layers ? layers_table(std::optional(layers->sizes)) : Table{};
 }
 
 Table layers_table(const std::optional<LayerSizes>& sizes) {

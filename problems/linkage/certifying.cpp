@@ -130,12 +130,9 @@ synthesis::ProportionLimits proportion_limits(const Constraints& constraints, do
 }
 
 Run before_certificate(const Run& run, const Solve& solve) {
-  if (!solve.certify || !run.progress) return run;
-  Run search = run;
-  search.progress = [report = run.progress](double share, double best) {
-    report(kSearchShare * share, best);
-  };
-  return search;
+  if (!solve.certify) return run;
+  run.enter(Phase::search, kSearchShare);
+  return part_of(run, 0, kSearchShare);
 }
 
 bool CertificateRun::over() const {
@@ -149,7 +146,9 @@ CertificateRun::CertificateRun(double upper, const Solve& solve, const Run& run,
       run_(run),
       deadline_(deadline),
       end_(run.time_limit ? std::numeric_limits<double>::infinity()
-                          : deadline.spent() + kCertificateSeconds) {}
+                          : deadline.spent() + kCertificateSeconds) {
+  run.enter(Phase::certificate);
+}
 
 synthesis::BranchOptions CertificateRun::options(double scale) const {
   synthesis::BranchOptions options;

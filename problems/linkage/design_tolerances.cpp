@@ -41,7 +41,7 @@ void add(std::vector<Quantity>& all, const std::string& name, bool angle, double
 DesignQuestion question_at(const NamedMechanism& mechanism, const std::vector<double>& angles) {
   DesignQuestion result;
   ToleranceQuestion& question = result.question;
-  if (std::holds_alternative<DrivingSlider<double>>(mechanism.mechanism.drive)) return result;
+  if (driven_by_length(mechanism.mechanism.drive)) return result;
   const DriveRange range = range_of(mechanism, angles);
   const AssemblyRanges ranges = follow(mechanism.mechanism, range.from, range.to);
   for (std::size_t i = 0; i < angles.size(); ++i) {
@@ -146,6 +146,7 @@ void add_tolerances(
     const std::function<std::optional<ToleranceQuestion>(const Design&)>& question_of,
     Result& result) {
   if (!tolerances) return;
+  run.enter(Phase::tolerances, kUnknownEnd);
   const std::size_t count = std::min(result.designs.size(), kMostDesigns);
   for (std::size_t i = 0; i < count; ++i) {
     Design& design = result.designs[i];

@@ -74,14 +74,16 @@ inline constexpr Key<Solve> kLossKeys[] = {
 inline constexpr Key<Solve> kStoppingKeys[] = {key<&Solve::tolerance>(
     "tolerance", "relative change of the error at which a refinement stops", kTolerance)};
 
-inline constexpr NumberRule kRobustShare{[](double x) { return x >= 0.5 && x <= 0.9999; },
-                                         "a share of what is made from 0.5 to 0.9999"};
+inline constexpr NumberRule kRobustShare{
+    [](double x) { return x >= 0.5 && x <= 0.9999; },
+    "a share of what is made from 0.5 to 0.9999, or \"worst\""};
+/// What `robust` is instead of a share where the worst case is to be least.
+inline constexpr std::string_view kRobustWorst = "worst";
 
-inline constexpr Key<Solve> kRobustKeys[] = {key<&Solve::robust>(
+inline constexpr Key<Solve> kRobustKeys[] = {own_key<Solve>(
     "robust",
-    "with [tolerance]: the share of what is made, 0.5 to 0.9999, whose error is to be least; "
-    "paths and functions by least squares",
-    kRobustShare)};
+    "with [tolerance]: the share of what is made, 0.5 to 0.9999, whose error is to be least, or "
+    "\"worst\": of all that the tolerances allow; paths, functions and poses by least squares")};
 
 inline constexpr Key<Solve> kCertificateKeys[] = {
     key<&Solve::certify>("certify",

@@ -123,7 +123,8 @@ struct Solve {
   std::optional<double> tolerance;  ///< relative change of the error at which a refinement stops
   bool certify = false;             ///< prove how near the best design is to the best possible
   double certify_gap = 1e-3;        ///< the relative gap at which a certificate is complete
-  /// With tolerances: the share of what is made whose error is to be least.
+  /// With tolerances: the share of what is made whose error is to be least; 1: of all that they
+  /// allow, its worst case.
   std::optional<double> robust{};
 };
 

@@ -51,6 +51,18 @@ constexpr Named<synthesis::Loss> kLosses[] = {
     {"none", synthesis::Loss::none},       {"huber", synthesis::Loss::huber},
     {"soft-l1", synthesis::Loss::soft_l1}, {"cauchy", synthesis::Loss::cauchy},
     {"arctan", synthesis::Loss::arctan},   {"tukey", synthesis::Loss::tukey}};
+constexpr Named<Phase> kPhases[] = {{"search", Phase::search},
+                                    {"exact solutions", Phase::exact},
+                                    {"front", Phase::front},
+                                    {"raster", Phase::raster},
+                                    {"robustness", Phase::robustness},
+                                    {"conflicts", Phase::infeasibility},
+                                    {"certificate", Phase::certificate},
+                                    {"positions", Phase::positions},
+                                    {"tolerances", Phase::tolerances},
+                                    {"layers", Phase::layers},
+                                    {"simulation", Phase::simulation}};
+
 constexpr Named<Status> kStatuses[] = {
     {"solved", Status::solved},           {"infeasible", Status::infeasible},
     {"no-solution", Status::no_solution}, {"time-limit", Status::time_limit},
@@ -112,6 +124,11 @@ std::span<const Named<ErrorMeasure>> names<ErrorMeasure>() {
 template <>
 std::span<const Named<synthesis::Loss>> names<synthesis::Loss>() {
   return kLosses;
+}
+
+template <>
+std::span<const Named<Phase>> names<Phase>() {
+  return kPhases;
 }
 
 template <>

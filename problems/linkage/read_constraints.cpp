@@ -176,7 +176,12 @@ void read_certificate(TableReader& table, std::string_view refusal, Solve& solve
 }
 
 void read_robust(TableReader& table, std::string_view refusal, Solve& solve) {
-  read_keys(table, kRobustKeys, solve);
+  const std::string_view key = kRobustKeys[0].name;
+  if (table.has_text(key) && table.text(key) == kRobustWorst) {
+    solve.robust = 1;
+  } else {
+    solve.robust = table.number(key, kRobustShare);
+  }
   if (table.has("robust") && !refusal.empty()) table.fault("robust", std::string(refusal));
 }
 

@@ -1,7 +1,9 @@
 #include "problems/linkage/read_raster.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "problems/linkage/linkage_keys.hpp"
 #include "problems/raster/read.hpp"
@@ -34,6 +36,21 @@ std::string_view robust_search_refusal(const Solve& solve) {
     return "is given with solve.certify, which says nothing of quantiles; remove one of them";
   }
   return {};
+}
+
+std::string_view robust_tolerance_refusal(const std::optional<Tolerances>& tolerances) {
+  if (!tolerances) {
+    return "is given without tolerances, of which it is a quantile; add [tolerance] or remove it";
+  }
+  const auto is_off = [](const ToleranceValue& value) {
+    const auto* deviation = std::get_if<Deviation>(&value);
+    return deviation == nullptr || deviation->plus > 0 || deviation->minus > 0;
+  };
+  const bool has_any = (tolerances->length && is_off(*tolerances->length)) ||
+                       std::ranges::any_of(tolerances->dimensions, is_off, &NamedTolerance::value);
+  if (has_any) return {};
+  return "is given, but no length has a tolerance; add tolerance.length or one of a link, or "
+         "remove it";
 }
 
 void check_raster_bounds(TableReader& document, const Raster& raster, const Given& given,

@@ -18,6 +18,7 @@
 #include "analysis/numbers/vec2.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/basics/quantity.hpp"
+#include "problems/layers/layers.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
 #include "problems/tolerance/result.hpp"
@@ -124,6 +125,7 @@ struct Design {
   /// Sentences on what meets the constraints and would hardly be built; see warnings.hpp.
   std::vector<std::string> warnings{};
   std::optional<ToleranceResult> tolerance{};  ///< where the file has tolerances
+  std::optional<LayerResult> layers{};         ///< where the file has layers, see design_layers.hpp
 };
 
 /// The four-bar that `design` is. Only where its type is four_bar.
@@ -181,6 +183,21 @@ struct Result {
   std::vector<std::string> warnings{};  ///< those of the designs, with their numbers
 };
 
+/// A part of a run, as its progress names it.
+enum class Phase {
+  search,
+  exact,  ///< the solutions of a polynomial system
+  front,
+  raster,
+  robustness,
+  infeasibility,  ///< which constraints exclude one another
+  certificate,
+  positions,  ///< of an analysis
+  tolerances,
+  layers,
+  simulation  ///< of a machine
+};
+
 /// How a run is steered from outside.
 struct Run {
   std::uint64_t seed = 1;
@@ -193,8 +210,45 @@ struct Run {
   std::filesystem::path cache;  ///< folder for what is the same in every run; none if empty
   /// Called now and then from one thread with the share done (0…1) and the best objective so far.
   std::function<void(double share, double best)> progress;
+  /// Called when a part of the run begins that ends at the share `to` of the run; NaN where the
+  /// share that is done does not tell how long the rest takes.
+  std::function<void(Phase phase, double to)> phase{};
+
+  /// Tells `phase`, where it is set, that the part `begun` begins, which ends at the share `to`.
+  void enter(Phase begun, double to = 1) const {
+    if (phase) phase(begun, to);
+  }
 };
 
+/// Of a part of which nobody knows beforehand how long it takes.
+inline constexpr double kUnknownEnd = std::numeric_limits<double>::quiet_NaN();
+
+/// `run` for a part of it whose progress goes from the share `from` to the share `to`.
+inline Run part_of(const Run& run, double from, double to) {
+  const auto share_of_run = [from, to](double share) { return from + (to - from) * share; };
+  Run part = run;
+  if (run.progress) {
+    part.progress = [progress = run.progress, share_of_run](double share, double best) {
+      progress(share_of_run(share), best);
+    };
+  }
+  if (run.phase) {
+    part.phase = [phase = run.phase, share_of_run](Phase begun, double end) {
+      phase(begun, share_of_run(end));
+    };
+  }
+  return part;
+}
+
+/// `run` for what no progress is shown of.
+inline Run silent(Run run) {
+  run.progress = nullptr;
+  run.phase = nullptr;
+  return run;
+}
+
+template <>
+std::span<const Named<Phase>> names<Phase>();
 template <>
 std::span<const Named<Status>> names<Status>();
 template <>

@@ -139,7 +139,11 @@ TableWriter solve_writer(const Solve& solve) {
   if (!objectives.empty()) table.set("objectives", objectives);
   if (solve.loss != synthesis::Loss::none) write_keys(solve, kLossKeys, table);
   write_keys(solve, kStoppingKeys, table);
-  write_keys(solve, kRobustKeys, table);
+  if (solve.robust == 1.0) {
+    table.set(kRobustKeys[0].name, kRobustWorst);
+  } else {
+    table.set(kRobustKeys[0].name, solve.robust);
+  }
   return solve.certify ? write_keys(solve, kCertificateKeys, table) : table;
 }
 

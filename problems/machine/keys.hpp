@@ -59,9 +59,23 @@ inline constexpr Key<Motor> kMotorKeys[] = {
     own_key<Motor>("interpolation", "of the table: \"linear\" (default) or \"smooth\""),
     key<&Motor::ratio>("ratio", "motor speed over drive speed (default 1)", kMotorRatio),
     key<&Motor::efficiency>("efficiency",
-                            "of the gears between them while the motor drives (default 1)",
+                            "of the gears between them, whichever way the power flows (default 1)",
                             kMotorEfficiency),
-    key<&Motor::inertia>("inertia", "kg m2, of the rotor about its own axis (default 0)", kMass)};
+    key<&Motor::inertia>("inertia", "kg m2, of the rotor about its own axis (default 0)", kMass),
+    own_key<Motor>("train",
+                   "instead of ratio and efficiency: \"FILE.toml\" of kind = \"gear-train\", or "
+                   "[motor.train] with the tables of one")};
+
+/// `[motor]` with a train.
+inline constexpr Key<MotorTrain> kMotorTrainKeys[] = {
+    key<&MotorTrain::input>(
+        "input", "of the train: its member on the motor's shaft (default: its [[input]])"),
+    key<&MotorTrain::output>("output",
+                             "of the train: its member on the drive (default: its [output])"),
+    key<&MotorTrain::state>("state", "of a gearbox as the train: the name of its [[state]]"),
+    key<&MotorTrain::reversed>("reversed",
+                               "whether the motor turns the other way, as for a train of negative "
+                               "ratio (default false)")};
 
 /// `motor.line`, both of which it needs.
 inline constexpr Key<MotorLine> kLineKeys[] = {

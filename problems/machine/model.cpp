@@ -22,6 +22,7 @@
 #include "problems/evaluation/active_loads.hpp"
 #include "problems/evaluation/load_breaks.hpp"
 #include "problems/evaluation/whole_motion.hpp"
+#include "problems/machine/gearing.hpp"
 #include "problems/machine/load_travel.hpp"
 #include "problems/machine/problem.hpp"
 #include "problems/machine/vanishing_inertia.hpp"
@@ -211,7 +212,8 @@ bool repeats(const Mechanism<double>& mechanism, const AssemblyRanges& two_turns
 struct Parts {
   std::optional<ReducedMechanism> mechanism;
   std::optional<MachineFunction> inertia, torque;
-  std::optional<Motor> motor;
+  Gearing gearing;
+  MachineFunction motor;  ///< its torque; without a value where it is off
   double constant_inertia = 0;
   double brake = 0;
   double period = 0;
@@ -243,19 +245,16 @@ struct Parts {
     return sum;
   }
 
-  /// Gears take their share of the power, whichever way it flows.
-  double motor_torque(double omega, double time) const {
-    if (!motor) return 0;
-    const double torque = motor->ratio * motor->torque.value(phi, motor->ratio * omega, time);
-    const bool drives = (torque > 0) == (omega > 0);
-    return drives ? torque * motor->efficiency : torque / motor->efficiency;
+  double motor_torque(double omega, double time, double load_torque) const {
+    const double torque = motor.value ? motor.value(phi, gearing.ratio * omega, time) : 0;
+    return gearing.torque_at_drive(torque, omega, load_torque);
   }
 
   machine::Torques torques(double omega, double time) {
     double load = omega > 0 ? -brake : omega < 0 ? brake : 0;
     if (torque) load += torque->value(phi, omega, time);
     if (mechanism) load += mechanism->torque(omega, time);
-    return {motor_torque(omega, time), load};
+    return {motor_torque(omega, time, load), load};
   }
 };
 
@@ -328,9 +327,9 @@ machine::Machine MachineModel::machine(const MachineParts& parts) const {
   all->torque = problem_.torque;
   all->constant_inertia = parts.flywheel;
   if (problem_.motor) {
-    const Motor& motor = *problem_.motor;
-    all->constant_inertia += motor.inertia * motor.ratio * motor.ratio;
-    if (parts.motor) all->motor = motor;
+    all->constant_inertia += motor_inertia(*problem_.motor);
+    all->gearing = gearing_of(*problem_.motor);
+    if (parts.motor) all->motor = problem_.motor->torque;
   }
   all->brake = parts.brake;
   all->period = period_;
@@ -345,7 +344,7 @@ machine::Machine MachineModel::machine(const MachineParts& parts) const {
 
 bool MachineModel::always_has_inertia(double flywheel) const {
   if (flywheel > 0 || problem_.inertia) return true;
-  if (problem_.motor && problem_.motor->inertia > 0) return true;
+  if (problem_.motor && motor_inertia(*problem_.motor) > 0) return true;
   // The drive turns with the angle that counts.
   return problem_.mechanism && problem_.mechanism->inertias.at(1).moment > 0;
 }

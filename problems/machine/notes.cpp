@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/machine/gearing.hpp"
 #include "problems/mechanism/drive_angle.hpp"
 
 namespace cognate::problems {
@@ -120,6 +121,21 @@ std::string beyond_note(double wanted, const machine::SteadyState& steady) {
   const std::string speeds =
       least == greatest ? "at " + least : fmt::format("between {} and {}", least, greatest);
   return fmt::format("the speed does not reach {:.6g} rad/s: it settles {} rad/s", wanted, speeds);
+}
+
+std::string backwards_note(const std::optional<Motor>& motor) {
+  const std::string note = "the machine goes backwards; a steady motion is sought forwards only";
+  if (!motor || !motor->train || gearing_of(*motor).ratio > 0) return note;
+  return note + fmt::format(
+                    ": the train turns the drive against the motor, and motor.reversed = {} lets "
+                    "it go forwards",
+                    !motor->train->reversed);
+}
+
+std::string holding_note() {
+  return "the train is self-locking: a load cannot drive the motor back through it, so that a "
+         "machine that its load pushes stays at the speed at which the motor gives no torque, and "
+         "is held where the motor is off";
 }
 
 std::string coarse_note(const std::string& name, std::size_t rows, double turns) {

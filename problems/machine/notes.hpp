@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "analysis/machine/flywheel.hpp"
 #include "analysis/machine/run.hpp"
 #include "analysis/machine/steady_state.hpp"
+#include "problems/machine/problem.hpp"
 
 namespace cognate::problems {
 
@@ -29,6 +31,12 @@ std::string ended_note(const EndedMotion& motion);
 
 /// That the speed `wanted` lies beyond those at which the machine settles.
 std::string beyond_note(double wanted, const machine::SteadyState& steady);
+
+/// That the machine goes backwards with its motor, and what may be meant instead.
+std::string backwards_note(const std::optional<Motor>& motor);
+
+/// What a train does through which no load can drive the motor back.
+std::string holding_note();
 
 /// That a table of `rows` cannot show what happens within a turn; empty where it can.
 std::string coarse_note(const std::string& name, std::size_t rows, double turns);

@@ -12,6 +12,7 @@
 #include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/evaluation/problem.hpp"
+#include "problems/train/problem.hpp"
 
 namespace cognate::problems {
 
@@ -35,14 +36,26 @@ struct MotorLine {
   double no_load_speed = 0;
 };
 
+/// `motor.train`: the gears between motor and drive, whose speeds, torques and inputs of its own
+/// are not used.
+struct MotorTrain {
+  GearTrainProblem train;
+  std::string file;  ///< as written; empty where the train's tables are those of the machine's file
+  /// `motor.input`, `motor.output`, `motor.state`: the member on the motor's shaft, that on the
+  /// drive, and of a gearbox the state. Empty: those of the train.
+  std::optional<std::string> input{}, output{}, state{};
+  bool reversed = false;  ///< the motor is made to turn the other way
+};
+
 /// `[motor]`: its torque as a function of its own speed (or an expression in phi, w and t of the
 /// drive), through gears onto the drive.
 struct Motor {
-  MachineFunction torque;           ///< of the motor's speed in place of ω
-  std::optional<MotorLine> line{};  ///< as written, where `torque` is one
-  double ratio = 1;                 ///< motor speed over drive speed
-  double efficiency = 1;            ///< of the gears while the motor drives
-  double inertia = 0;               ///< of the rotor, about its own axis
+  MachineFunction torque;             ///< of the motor's speed in place of ω
+  std::optional<MotorLine> line{};    ///< as written, where `torque` is one
+  double ratio = 1;                   ///< motor speed over drive speed
+  double efficiency = 1;              ///< of the gears, in both senses of the power
+  double inertia = 0;                 ///< of the rotor, about its own axis
+  std::optional<MotorTrain> train{};  ///< instead of ratio and efficiency
 };
 
 /// A further load, whose size is a function: force along a direction at a

@@ -8,6 +8,7 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/machine/gearing.hpp"
 #include "problems/machine/keys.hpp"
 #include "problems/machine/read_function.hpp"
 #include "problems/machine/read_motor.hpp"
@@ -95,10 +96,9 @@ constexpr std::string_view kFlywheel = "flywheel";
 constexpr std::string_view kBrake = "brake";
 
 void fault_sliding_drive(TableReader& mechanism) {
-  mechanism.fault(
-      "type",
-      "is a chain that a slider drives; expected one that a crank drives, which turns on and "
-      "on");
+  mechanism.fault("type",
+                  "is a chain that a slider or a cylinder drives; expected one that a crank "
+                  "drives, which turns on and on");
 }
 
 void read_loaded_mechanism(TableReader& document, MachineProblem& problem) {
@@ -118,7 +118,7 @@ void read_loaded_mechanism(TableReader& document, MachineProblem& problem) {
 // Tables that say nothing without a mechanism.
 void refuse_parts(TableReader& document) {
   for (const std::string_view key :
-       {"link", "load", "gravity", "point", "pivot", "crank", "slider", "dyad"}) {
+       {"link", "load", "gravity", "point", "pivot", "crank", "slider", "cylinder", "dyad"}) {
     if (!document.has(key)) continue;
     document.fault(
         key,
@@ -176,9 +176,18 @@ void read_brake(TableReader& document, MachineProblem& problem) {
   table.finish();
 }
 
+/// The unit that `document` gives, read and faulted elsewhere.
+std::optional<LengthUnit> unit_of(TableReader& document) {
+  constexpr std::string_view kUnit = "length_unit";
+  if (!document.has_text(kUnit)) return std::nullopt;
+  const auto word = document.text(kUnit);
+  return word ? from_string<LengthUnit>(*word) : std::nullopt;
+}
+
 bool has_mass(const MachineProblem& problem) {
   const auto weighs = [](const Inertia& inertia) { return inertia.mass > 0 || inertia.moment > 0; };
-  return problem.inertia || problem.flywheel > 0 || (problem.motor && problem.motor->inertia > 0) ||
+  return problem.inertia || problem.flywheel > 0 ||
+         (problem.motor && motor_inertia(*problem.motor) > 0) ||
          (problem.mechanism && std::ranges::any_of(problem.mechanism->inertias, weighs));
 }
 
@@ -188,7 +197,7 @@ void check_mass(TableReader& document, const MachineProblem& problem) {
   document.fault(
       where,
       "has no inertia, so that any torque would bring any speed at once; expected [[link]], "
-      "equivalent.inertia, flywheel.inertia or motor.inertia");
+      "equivalent.inertia, flywheel.inertia, motor.inertia or inertias of a motor.train");
 }
 
 }  // namespace
@@ -198,7 +207,7 @@ void check_mass(TableReader& document, const MachineProblem& problem) {
 namespace cognate::problems {
 
 MachineProblem KindTraits<MachineProblem>::read(reading::TableReader& document,
-                                                const std::filesystem::path& /*folder*/) {
+                                                const std::filesystem::path& folder) {
   using namespace reading;
   MachineProblem problem;
   TableReader run = document.table("run");
@@ -216,7 +225,7 @@ MachineProblem KindTraits<MachineProblem>::read(reading::TableReader& document,
   if (has_equivalent) read_equivalent(document, problem);
   if (document.has("motor")) {
     TableReader motor = document.table("motor");
-    problem.motor = read_motor(motor);
+    problem.motor = read_motor(motor, {folder, unit_of(document)});
   }
   if (document.has(kFlywheel)) read_flywheel(document, problem);
   if (document.has(kBrake)) read_brake(document, problem);

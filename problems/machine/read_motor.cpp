@@ -90,7 +90,7 @@ void read_torque(TableReader& motor, Motor& read) {
 
 }  // namespace
 
-Motor read_motor(TableReader& table) {
+Motor read_motor(TableReader& table, const TrainContext& context) {
   Motor motor;
   motor.torque.smooth = read_interpolation(table, {kTable});
   table.know({kTorqueKey, kLine, kTable});
@@ -100,6 +100,7 @@ Motor read_motor(TableReader& table) {
     if (table.has(kTorqueKey)) read_torque(table, motor);
   }
   read_keys(table, kMotorKeys, motor);
+  motor.train = read_motor_train(table, context);
   table.finish();
   return motor;
 }

@@ -2,11 +2,12 @@
 #pragma once
 
 #include "problems/machine/problem.hpp"
+#include "problems/machine/read_train.hpp"
 #include "problems/toml/table_reader.hpp"
 
 namespace cognate::problems::reading {
 
 /// The motor in `table`, complete if no fault was added.
-Motor read_motor(TableReader& table);
+Motor read_motor(TableReader& table, const TrainContext& context);
 
 }  // namespace cognate::problems::reading

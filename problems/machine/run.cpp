@@ -13,6 +13,7 @@
 #include "problems/basics/quantity.hpp"
 #include "problems/evaluation/force_units.hpp"
 #include "problems/linkage/result.hpp"
+#include "problems/machine/gearing.hpp"
 #include "problems/machine/model.hpp"
 #include "problems/machine/motion_table.hpp"
 #include "problems/machine/notes.hpp"
@@ -100,6 +101,7 @@ class MachineTasks {
   }
 
   MachineResult answer() {
+    if (problem_.motor) add_train(*problem_.motor);
     if (const auto place = model_.without_inertia(flywheel_)) {
       fail(fmt::format(
           "the machine's inertia vanishes where the drive is at {:.6g}°, and any torque "
@@ -117,6 +119,11 @@ class MachineTasks {
   }
 
  private:
+  void add_train(const Motor& motor) {
+    append(result_.quantities, train_quantities(motor));
+    if (gearing_of(motor).is_self_locking()) note_once(holding_note());
+  }
+
   void do_tasks() {
     if (problem_.fluctuation && model_.turns()) find_flywheel();
     for (const MachineTask task : problem_.run.tasks) {
@@ -216,9 +223,7 @@ class MachineTasks {
     return sum < -kNothing * size;
   }
 
-  void note_backwards() {
-    note_once("the machine goes backwards; a steady motion is sought forwards only");
-  }
+  void note_backwards() { note_once(backwards_note(problem_.motor)); }
 
   void note_gap() { note_once(model_.gap()); }
 
@@ -340,6 +345,7 @@ MachineResult run_machine(const MachineProblem& given, const Run& run) {
   const auto valid = KindTraits<MachineProblem>::checked(given);
   if (!valid) return refused<MachineResult>(valid.error());
   const MachineProblem problem = in_joules(*valid);
+  run.enter(Phase::simulation, kUnknownEnd);
   MachineResult result = MachineTasks(problem, run).answer();
   if (given.mechanism) {
     std::ranges::move(unit_notes(*given.mechanism, given.length_unit),

@@ -77,6 +77,12 @@ TableWriter motor_writer(const Motor& motor, std::vector<std::string>& faults) {
     write_function(torque, is_table(torque) ? "table" : "torque", "motor.torque", table, faults);
     write_interpolation(torque, table);
   }
+  if (motor.train) {
+    Written train = KindTraits<GearTrainProblem>::written(motor.train->train);
+    faults.insert(faults.end(), train.faults.begin(), train.faults.end());
+    table.set("inertia", motor.inertia).set("train", std::move(train.document));
+    return write_keys(*motor.train, kMotorTrainKeys, table);
+  }
   return write_keys(motor, kMotorKeys, table);
 }
 
@@ -137,6 +143,9 @@ tl::expected<MachineProblem, std::vector<std::string>> KindTraits<MachineProblem
   const auto read = read_back(problem);
   if (!read) return tl::unexpected(read.error());
   MachineProblem complete = problem;
+  if (problem.motor && problem.motor->train) {
+    complete.motor->train->train = read->motor->train->train;
+  }
   if (!problem.mechanism) return complete;
   std::vector<std::string> faults;
   check_same_mechanism(problem.mechanism->mechanism, read->mechanism->mechanism, faults);

@@ -62,6 +62,9 @@ List dimensions_of(const ChainDescription& chain) {
   if (const auto* crank = std::get_if<CrankDescription>(&chain.drive)) {
     list.push_back({crank->name, crank->length});
   }
+  if (const auto* cylinder = std::get_if<CylinderDescription>(&chain.drive)) {
+    list.push_back({cylinder->names[2], cylinder->length});
+  }
   for (const auto& dyad : chain.dyads) {
     for (std::size_t i = 0; i < dyad.lengths.size(); ++i) {
       list.push_back({dyad.names[i], dyad.lengths[i]});

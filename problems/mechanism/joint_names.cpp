@@ -39,6 +39,10 @@ Pin places_of(const Joint& joint, const Mechanism<double>& mechanism, int group)
   if (group == 0) return pin;
   const auto& dyad = mechanism.dyads[static_cast<std::size_t>(group - 1)];
   const int n = first_body(mechanism, group - 1);
+  const auto* cylinder = std::get_if<Cylinder<double>>(&dyad);
+  if (cylinder && joint.second == n + 1 && joint.first == 1) {
+    return {joint.at, {n + 1, {cylinder->length, 0}}};
+  }
   if (joint.first == n && joint.second == n + 1) {
     pin.push_back({n, {length_of_first(dyad), 0}});
     pin.push_back({n + 1, {length_of_second(dyad), 0}});
@@ -107,7 +111,9 @@ std::vector<std::string> dyad_names(const NamedMechanism& mechanism) {
   std::vector<std::string> all;
   for (std::size_t i = 0; i < mechanism.mechanism.dyads.size(); ++i) {
     const JointGroup& group = list.groups[i + 1];
-    const bool has_pin = std::holds_alternative<Rrr<double>>(mechanism.mechanism.dyads[i]);
+    const Dyad<double>& dyad = mechanism.mechanism.dyads[i];
+    const bool has_pin =
+        std::holds_alternative<Rrr<double>>(dyad) || std::holds_alternative<Cylinder<double>>(dyad);
     all.push_back(has_pin ? names[static_cast<std::size_t>(group.first_joint) + 1]
                           : mechanism.bodies[static_cast<std::size_t>(group.first_body) + 1]);
   }

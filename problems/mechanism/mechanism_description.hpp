@@ -46,6 +46,17 @@ struct SliderDescription {
   std::string name = "slider";
 };
 
+/// `[cylinder]` of a chain: driven by its length from the pivot `at` to `pin`, the end of a link of
+/// `length` that turns about the pivot `about`.
+struct CylinderDescription {
+  std::string at;
+  std::string about;
+  std::string pin;
+  double length = 0;
+  Assembly assembly = Assembly::open;
+  std::array<std::string, 3> names;  ///< of rod, cylinder and link
+};
+
 enum class DyadType { rrr, rrp, rpr, prp, rpp };
 
 /// `[[dyad]]`. What the type does not have is empty or zero.
@@ -73,7 +84,7 @@ struct PointDescription {
 /// `type = "chain"`.
 struct ChainDescription {
   std::vector<PivotDescription> pivots;
-  std::variant<CrankDescription, SliderDescription> drive;
+  std::variant<CrankDescription, SliderDescription, CylinderDescription> drive;
   std::vector<DyadDescription> dyads;
 };
 

@@ -8,6 +8,7 @@
 
 #include "problems/mechanism/quantity_rules.hpp"
 #include "problems/mechanism/read_chain_dyads.hpp"
+#include "problems/mechanism/read_cylinder.hpp"
 #include "problems/mechanism/read_slides.hpp"
 #include "problems/toml/nearest.hpp"
 
@@ -19,6 +20,7 @@ constexpr std::size_t kMostPivots = 1000;
 constexpr std::size_t kMostDyads = 200;
 constexpr std::string_view kCrank = "crank";
 constexpr std::string_view kSlider = "slider";
+constexpr std::string_view kCylinder = "cylinder";
 
 void announce_name(TableReader& table, std::string_view key, PartNames& names) {
   if (!table.has_text(key)) return;
@@ -103,32 +105,45 @@ void read_driving_slider(TableReader& table, Chain& chain) {
   chain.description.drive = std::move(slider);
 }
 
-void announce_pin(TableReader& holder, std::string_view drive, PartNames& names) {
-  if (!holder.has_table(drive)) return;
-  TableReader table = holder.table(drive);
-  announce_name(table, "pin", names);
+/// What may drive a chain: its table, and how it is read.
+struct DriveTable {
+  std::string_view key;
+  void (*read)(TableReader& table, Chain& chain);
+};
+constexpr DriveTable kDrives[] = {
+    {kCrank, read_crank}, {kSlider, read_driving_slider}, {kCylinder, read_cylinder}};
+
+void announce_pins(TableReader& document, TableReader& mechanism, PartNames& names) {
+  for (const auto& [key, read] : kDrives) {
+    TableReader& place = holder(key, document, mechanism);
+    if (!place.has_table(key)) continue;
+    TableReader table = place.table(key);
+    announce_name(table, "pin", names);
+  }
 }
 
-void read_drive(TableReader& crank_holder, TableReader& slider_holder, std::size_t dyads,
-                Chain& chain) {
-  const bool crank = crank_holder.has(kCrank);
-  const bool slider = slider_holder.has(kSlider);
-  if (crank == slider) {
-    crank_holder.fault(crank ? kSlider : kCrank,
-                       crank
-                           ? fmt::format("is given beside {}: {}; expected one drive",
-                                         crank_holder.name(kCrank), mobility(dyads, 2))
-                           : fmt::format("is missing: {}; expected a [crank] or a driving [slider]",
-                                         mobility(dyads, 0)));
-    chain.names.incomplete = true;
-    return;
+void read_drive(TableReader& document, TableReader& mechanism, std::size_t dyads, Chain& chain) {
+  const auto place = [&](const DriveTable& drive) -> TableReader& {
+    return holder(drive.key, document, mechanism);
+  };
+  std::vector<const DriveTable*> given;
+  for (const DriveTable& drive : kDrives) {
+    if (place(drive).has(drive.key)) given.push_back(&drive);
   }
-  if (crank) {
-    TableReader table = crank_holder.table(kCrank);
-    read_crank(table, chain);
+  if (given.size() == 1) {
+    TableReader table = place(*given.front()).table(given.front()->key);
+    return given.front()->read(table, chain);
+  }
+  chain.names.incomplete = true;
+  if (given.empty()) {
+    holder(kCrank, document, mechanism)
+        .fault(kCrank, fmt::format("is missing: {}; expected a [crank], a driving [slider] or a "
+                                   "[cylinder]",
+                                   mobility(dyads, 0)));
   } else {
-    TableReader table = slider_holder.table(kSlider);
-    read_driving_slider(table, chain);
+    place(*given[1]).fault(given[1]->key,
+                           fmt::format("is given beside {}: {}; expected one drive",
+                                       place(*given[0]).name(given[0]->key), mobility(dyads, 2)));
   }
 }
 
@@ -167,17 +182,15 @@ Chain read_chain(TableReader& document, TableReader& mechanism) {
   auto pivots = tables("pivot", 1, kMostPivots, "pivots");
   auto dyads = tables("dyad", 1, kMostDyads, "dyads");
   for (TableReader& pivot : pivots) read_pivot(pivot, chain);
-  if (dyads.empty() && !document.has("dyad") && !mechanism.has("dyad")) {
+  const bool is_cylinder = holder(kCylinder, document, mechanism).contains(kCylinder);
+  if (dyads.empty() && !is_cylinder && !document.has("dyad") && !mechanism.has("dyad")) {
     mechanism.fault("dyad", "is missing; a chain has one [[dyad]] or more");
   }
-  TableReader& crank_holder = holder(kCrank, document, mechanism);
-  TableReader& slider_holder = holder(kSlider, document, mechanism);
-  announce_pin(crank_holder, kCrank, chain.names);
-  announce_pin(slider_holder, kSlider, chain.names);
+  announce_pins(document, mechanism, chain.names);
   for (TableReader& dyad : dyads) announce_name(dyad, "new", chain.names);
   auto waiting = read_extra_points(holder("point", document, mechanism), chain.names);
   const auto all_points = waiting;
-  read_drive(crank_holder, slider_holder, dyads.size(), chain);
+  read_drive(document, mechanism, dyads.size(), chain);
   place_waiting(waiting, chain);
   for (TableReader& dyad : dyads) {
     read_dyad(dyad, chain);

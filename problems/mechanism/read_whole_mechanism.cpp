@@ -72,14 +72,14 @@ std::optional<WholeMechanism> read_whole_mechanism(TableReader& document, TableR
 }
 
 PartNames unknown_parts(TableReader& document) {
-  document.know({"pivot", "crank", "slider", "dyad", "point"});
+  document.know({"pivot", "crank", "slider", "cylinder", "dyad", "point"});
   PartNames unknown;
   unknown.incomplete = true;
   return unknown;
 }
 
 bool is_slider_driven(const NamedMechanism& mechanism) {
-  return std::holds_alternative<DrivingSlider<double>>(mechanism.mechanism.drive);
+  return driven_by_length(mechanism.mechanism.drive);
 }
 
 }  // namespace cognate::problems::reading

@@ -34,6 +34,16 @@ TableWriter drive_writer(const SliderDescription& slider) {
       .set("name", slider.name);
 }
 
+TableWriter drive_writer(const CylinderDescription& cylinder) {
+  TableWriter table;
+  return table.set("at", cylinder.at)
+      .set("about", cylinder.about)
+      .set("pin", cylinder.pin)
+      .set("length", cylinder.length)
+      .set_name("assembly", cylinder.assembly)
+      .set("names", cylinder.names);
+}
+
 TableWriter dyad_writer(const DyadDescription& dyad) {
   TableWriter table;
   table.set_name("type", dyad.type);
@@ -94,12 +104,14 @@ void write_description(const ChainDescription& chain, TableWriter& table) {
     pivots.push_back(node(TableWriter{}.set("name", name).set("at", at)));
   }
   for (const DyadDescription& dyad : chain.dyads) dyads.push_back(node(dyad_writer(dyad)));
-  const bool turns = std::holds_alternative<CrankDescription>(chain.drive);
+  constexpr std::array<std::string_view, 3> kDrives{"crank", "slider", "cylinder"};
   table.set("pivot", pivots);
   std::visit(
-      [&](const auto& drive) { table.add(turns ? "crank" : "slider", node(drive_writer(drive))); },
+      [&](const auto& drive) {
+        table.add(kDrives[chain.drive.index()], node(drive_writer(drive)));
+      },
       chain.drive);
-  table.set("dyad", dyads);
+  if (!dyads.empty()) table.set("dyad", dyads);
 }
 
 }  // namespace

@@ -46,8 +46,10 @@ class Solver {
     if (note_points_on_a_circle(problem_.points, result_)) {
       result_.work.skipped.push_back("solutions");
     } else if (free == 0) {
+      run_.enter(Phase::exact, kUnknownEnd);
       solve_all();
     } else {
+      run_.enter(Phase::exact);
       sample_family(free);
     }
     finish();

@@ -12,6 +12,7 @@
 #include "problems/basics/kind.hpp"
 #include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/layers/layers.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/path/curve/closed_curve.hpp"
 #include "problems/raster/raster.hpp"
@@ -76,6 +77,7 @@ struct PathProblem {
   WarningLimits warnings{};
   std::optional<Raster> raster;  ///< least squares; which dimensions take single values only
   std::optional<Tolerances> tolerances{};
+  std::optional<DesignLayers> layers{};
   std::optional<AtlasSource> atlas;  ///< of a closed curve
 
   /// Whether the crank's angle at a point is prescribed.

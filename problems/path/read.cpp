@@ -11,7 +11,9 @@
 #include <utility>
 
 #include "problems/basics/names.hpp"
+#include "problems/layers/link_names.hpp"
 #include "problems/linkage/cycle/read_cycle.hpp"
+#include "problems/linkage/design_layers.hpp"
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_linkage.hpp"
 #include "problems/linkage/read_raster.hpp"
@@ -264,9 +266,7 @@ std::string_view raster_refusal(const PathProblem& problem) {
 
 // Quantiles are those of tolerances, and sought from designs of least error.
 std::string_view robust_refusal(const PathProblem& problem) {
-  if (!problem.tolerances) {
-    return "is given without tolerances, of which it is a quantile; add [tolerance] or remove it";
-  }
+  if (const auto why = robust_tolerance_refusal(problem.tolerances); !why.empty()) return why;
   if (problem.raster) return "is given with a raster; remove one of them";
   if (problem.given.pivot_d && !problem.given.pivot_a) {
     return "is given with pivot_d alone; give pivot_a as well, or neither";
@@ -377,6 +377,8 @@ PathProblem KindTraits<PathProblem>::read(reading::TableReader& document,
 
   problem.tolerances = read_tolerances(document, four_bar_scope());
   read_robust(solve, robust_refusal(problem), problem.solve);
+  problem.layers = read_design_layers(document, constraints, links_of<FourBar>(),
+                                      layers_max_refusal(problem.solve));
   tables.finish();
   problem.warnings = read_warnings(document);
   return problem;

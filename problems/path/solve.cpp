@@ -13,6 +13,7 @@
 #include "problems/basics/degrees.hpp"
 #include "problems/linkage/certifying.hpp"
 #include "problems/linkage/cycle/cycle_metrics.hpp"
+#include "problems/linkage/design_layers.hpp"
 #include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/long_links.hpp"
@@ -32,6 +33,7 @@
 #include "problems/path/search.hpp"
 #include "problems/path/shape_placement.hpp"
 #include "problems/raster/report.hpp"
+#include "problems/raster/run_parts.hpp"
 #include "problems/search/infeasibility.hpp"
 #include "problems/search/objectives.hpp"
 #include "problems/search/solver_origin.hpp"
@@ -258,13 +260,14 @@ Result solve_on_raster(const PathProblem& problem, const Run& run, const Deadlin
   Result result;
   const PathSearchResult continuous =
       search_paths(scaled, synthesis::chosen(problem.solve.solver),
-                   problem.solve.tolerance.value_or(kDefaultTolerance), run, deadline, result.work);
+                   problem.solve.tolerance.value_or(kDefaultTolerance), between_values(run),
+                   deadline, result.work);
   Designs designs(problem, scale.size);
   const auto accepts = [&](const RasterPath& design) {
     return designs.accepted(design.linkage, design.crank_angles).has_value();
   };
-  const RasterPathResult found =
-      search_path_raster(problem, scaled, scale, continuous.minima, accepts, run, deadline);
+  const RasterPathResult found = search_path_raster(problem, scaled, scale, continuous.minima,
+                                                    accepts, on_values(run), deadline);
   for (const RasterPath& one : found.designs) {
     std::vector<double> angles = one.crank_angles;
     for (double& angle : angles) angle = in_one_turn(angle);
@@ -285,6 +288,7 @@ Result solve_robustly(const PathProblem& problem, const Run& run, const Deadline
   PathProblem scaled = scale.into(problem);
   scaled.solve.designs = std::max(scaled.solve.designs, kMinima);
   Result result;
+  run.enter(Phase::search, kStartsDone);
   const auto search = [&](const PathProblem& one, const Run& part) {
     return search_paths(one, synthesis::chosen(problem.solve.solver),
                         problem.solve.tolerance.value_or(kDefaultTolerance), part, deadline,
@@ -353,7 +357,7 @@ Result solve(const PathProblem& given, const Run& run) {
   if (!valid) return refused<Result>(valid.error());
   const PathProblem problem = in_joules(*valid);
   if (problem.method == PathMethod::exact) {
-    Result exact = solve_exactly(problem, run);
+    Result exact = solve_in_layers(problem, run, DesignSource::exact, solve_exactly);
     mark_twins(exact.designs);
     add_warnings(extent_of(problem.points), problem.warnings, exact);
     add_path_tolerances(problem, run, exact);
@@ -372,20 +376,28 @@ Result solve(const PathProblem& given, const Run& run) {
     result.work.seconds = deadline.spent();
   };
   if (problem.raster || problem.solve.robust) {
-    Result result = problem.raster ? solve_on_raster(problem, run, deadline)
-                                   : solve_robustly(problem, run, deadline);
+    Result result = solve_in_layers(problem, run, DesignSource::search,
+                                    [&](const PathProblem& one, const Run& own) {
+                                      return problem.raster ? solve_on_raster(one, own, deadline)
+                                                            : solve_robustly(one, own, deadline);
+                                    });
     add_path_tolerances(problem, run, result);
     finish(result);
     return result;
   }
-  Result result = solve_objectives(
-      problem, before_certificate(run, problem.solve), deadline,
-      [&](const PathProblem& one, const Run& own) { return solve_by_search(one, own, deadline); });
-  Run silent = run;
-  silent.progress = nullptr;
-  add_infeasibility(
-      problem, deadline,
-      [&](const PathProblem& other) { return solve_by_search(other, silent, deadline); }, result);
+  const auto search = [&](const PathProblem& one, const Run& own) {
+    return solve_by_search(one, own, deadline);
+  };
+  const Run unseen = silent(run);
+  Result result =
+      solve_in_layers(problem, before_certificate(run, problem.solve), DesignSource::search,
+                      [&](const PathProblem& one, const Run& own) {
+                        Result found = solve_objectives(one, own, deadline, search);
+                        add_infeasibility(
+                            one, own, deadline,
+                            [&](const PathProblem& other) { return search(other, unseen); }, found);
+                        return found;
+                      });
   if (problem.solve.certify) add_certificate(problem, run, deadline, result);
   merge_long_links(result);
   add_path_tolerances(problem, run, result);

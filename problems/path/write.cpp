@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "problems/layers/read.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/path/problem.hpp"
@@ -115,6 +116,7 @@ reading::Written KindTraits<PathProblem>::written(const PathProblem& problem) {
   Written all;
   check_sizes(problem, all.faults);
   TableWriter constraints = constraints_writer(problem.constraints);
+  write_design_layers(problem.layers, constraints);
   if (problem.curve) constraints.set("no_extra_loop", problem.constraints.no_extra_loop);
   TableWriter solve = solve_writer(problem.solve);
   if (problem.atlas) solve.set("atlas", problem.atlas->name);
@@ -127,6 +129,7 @@ reading::Written KindTraits<PathProblem>::written(const PathProblem& problem) {
                      .set("solve", solve)
                      .set("warnings", warnings_writer(problem.warnings))
                      .append(raster_table(problem.raster))
+                     .append(layers_table(problem.layers))
                      .append(tolerance_table(problem.tolerances, false))
                      .take();
   return all;

@@ -1,5 +1,7 @@
 #include "problems/quick_return/designs.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -61,9 +63,11 @@ Design quick_return_design(const QuickReturnProblem& problem,
   design.metrics.precision_residual = found.residual;
   design.metrics.condition = found.condition;
   const Lengths<double> links = lengths(found.linkage);
-  const double swing =
-      std::abs(outer_limit(links)->rocker_angle - inner_limit(links)->rocker_angle);
-  design.metrics.quantities.push_back({"swing_deg", degrees(swing)});
+  const double outer = std::abs(outer_limit(links)->rocker_angle),
+               inner = std::abs(inner_limit(links)->rocker_angle);
+  design.metrics.quantities.push_back({"swing_deg", degrees(std::abs(outer - inner))});
+  design.metrics.quantities.push_back({"outer_limit_deg", degrees(outer)});
+  design.metrics.quantities.push_back({"inner_limit_deg", degrees(inner)});
   design.metrics.quantities.push_back(
       {"crank_pivot_arc", std::string(found.arc == synthesis::PivotArc::near ? "near" : "far")});
   design.constraints = check_constraints(problem.constraints, problem.bounds, problem.given,
@@ -75,6 +79,13 @@ Design quick_return_design(const QuickReturnProblem& problem,
     const double size = std::abs(a * pivot.x) + std::abs(b * pivot.y) + std::abs(c);
     design.constraints.push_back(
         {"mechanism.crank_pivot_line", value, c, std::abs(value - c) <= kCheckTolerance * size});
+  }
+  if (problem.limit_angle) {
+    const auto& [limit, angle] = *problem.limit_angle;
+    const double value = limit == synthesis::RockerLimit::outer ? outer : inner;
+    design.constraints.push_back({fmt::format("mechanism.{}", limit_angle_key(limit)),
+                                  degrees(value), degrees(angle),
+                                  std::abs(value - angle) <= kCheckTolerance});
   }
   design.origin = "exact:quick-return";
   return design;
@@ -133,7 +144,8 @@ Design quick_return_design(const QuickReturnProblem& problem, const synthesis::S
   set_pressure(design, -found.pressure, found.pressure, found.pressure);
   design.metrics.precision_residual = std::abs(motion.stroke / *problem.stroke - 1);
   design.metrics.condition = 1;
-  check_length(design, "mechanism.stroke", motion.stroke, problem.stroke);
+  // On a raster the stroke is only approached.
+  if (!problem.raster) check_length(design, "mechanism.stroke", motion.stroke, problem.stroke);
   check_pressure(design, problem.pressure_angle_max, found.pressure);
   // The block slides off a bar that ends before the crank's pin does.
   const double farthest = found.frame + found.crank;

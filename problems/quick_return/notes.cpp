@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/basics/degrees.hpp"
 #include "problems/quick_return/designs.hpp"
 #include "synthesis/exact/quick_return/guide.hpp"
 
@@ -89,9 +90,31 @@ std::string swing_excludes(const QuickReturnProblem& problem) {
       swing * 180 / kPi, (1.5 * kPi + 0.5 * swing) / (0.5 * kPi - 0.5 * swing));
 }
 
+/// Between which angles the rocker may stand at the limit given, in words.
+std::string why_no_limit_angle(const QuickReturnProblem& problem) {
+  const auto& [limit, angle] = *problem.limit_angle;
+  const char* name = limit == synthesis::RockerLimit::outer ? "outer" : "inner";
+  if (!problem.swing) {
+    return fmt::format(
+        "No crank-rocker of this time ratio, rocker and frame has its rocker at {:.6g} degrees at "
+        "the {} limit; another angle, frame or time ratio is needed.",
+        degrees(angle), name);
+  }
+  std::vector<LengthInterval> all;
+  for (const PivotArc arc : {PivotArc::near, PivotArc::far}) {
+    const auto range = limit_angle_range(rocker_task(problem), arc, limit);
+    if (range && (arc == PivotArc::near || problem.time_ratio > 1)) {
+      all.push_back({degrees(range->min), degrees(range->max)});
+    }
+  }
+  return not_possible(fmt::format("An angle of the rocker at its {} limit", name), degrees(angle),
+                      all);
+}
+
 std::string why_no_rocker(const QuickReturnProblem& problem,
                           const synthesis::RockerSolutions& found) {
   const Given& given = problem.given;
+  if (!problem.swing) return why_no_limit_angle(problem);
   if (!arc_limits(rocker_task(problem), PivotArc::near)) return swing_excludes(problem);
   if (given.crank) {
     return not_possible("A crank", *given.crank, intervals(problem, &synthesis::ArcLimits::crank));
@@ -103,6 +126,7 @@ std::string why_no_rocker(const QuickReturnProblem& problem,
   if (given.frame) {
     return not_possible("A frame", *given.frame, intervals(problem, &synthesis::ArcLimits::frame));
   }
+  if (problem.limit_angle) return why_no_limit_angle(problem);
   if (problem.crank_pivot_line && found.circuit_defects > 0) {
     return "Every crank pivot on the line lies between the limits of the rocker, or opposite to "
            "them: from there the two limits are on different circuits.";
@@ -163,7 +187,8 @@ std::vector<std::string> rocker_notes(const QuickReturnProblem& problem,
       break;
   }
   if (found.designs.empty()) notes.push_back(why_no_rocker(problem, found));
-  const bool family = !gives_length(problem.given) && !problem.crank_pivot_line;
+  const bool family =
+      !gives_length(problem.given) && !problem.crank_pivot_line && !problem.limit_angle;
   const bool chosen = family || (found.degeneracy != RockerDegeneracy::none &&
                                  !found.designs.empty() && found.designs[0].arc == PivotArc::near);
   if (!found.designs.empty() && chosen) {

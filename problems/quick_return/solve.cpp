@@ -8,12 +8,14 @@
 #include <utility>
 
 #include "problems/basics/degrees.hpp"
+#include "problems/linkage/design_layers.hpp"
 #include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/twins.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/quick_return/designs.hpp"
+#include "problems/quick_return/raster.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -77,7 +79,8 @@ synthesis::RockerBounds bounds_of(const QuickReturnProblem& problem) {
 
 bool leaves_family(const QuickReturnProblem& problem) {
   const Given& given = problem.given;
-  return !given.crank && !given.coupler && !given.frame && !problem.crank_pivot_line;
+  return !given.crank && !given.coupler && !given.frame && !problem.crank_pivot_line &&
+         !problem.limit_angle;
 }
 
 synthesis::RockerSolutions rockers_with_what_is_given(const QuickReturnProblem& problem) {
@@ -86,11 +89,16 @@ synthesis::RockerSolutions rockers_with_what_is_given(const QuickReturnProblem& 
   if (given.crank) return rockers_with_crank(task, *given.crank);
   if (given.coupler) return rockers_with_coupler(task, *given.coupler);
   if (given.frame) return rockers_with_frame(task, *given.frame);
+  if (problem.limit_angle) return rockers_at_limit(task, *problem.limit_angle);
   return rockers_on_line(task, *problem.crank_pivot_line);
 }
 
 /// Where what is given leaves a curve of solutions, the best of them.
 synthesis::RockerSolutions rockers(const QuickReturnProblem& problem) {
+  if (!problem.swing) {
+    return rockers_with_frame_at_limit(
+        {problem.time_ratio, *problem.given.rocker, *problem.given.frame}, *problem.limit_angle);
+  }
   const synthesis::RockerTask task = rocker_task(problem);
   synthesis::RockerBounds bounds = bounds_of(problem);
   if (leaves_family(problem)) return best_rockers(task, bounds);
@@ -189,27 +197,38 @@ void solve_shaper(const QuickReturnProblem& problem, Result& result) {
   result.designs.push_back(quick_return_design(problem, found.shaper, *motion));
 }
 
-}  // namespace
-
-Result solve(const QuickReturnProblem& given, const Run& run) {
-  const auto valid = KindTraits<QuickReturnProblem>::checked(given);
-  if (!valid) return refused<Result>(valid.error());
-  const QuickReturnProblem& problem = *valid;
-  const Deadline deadline(run);
-  Result result;
+void solve_exactly(const QuickReturnProblem& problem, Result& result) {
   switch (problem.type) {
     case QuickReturnType::four_bar:
-      solve_four_bar(problem, result);
-      break;
+      return solve_four_bar(problem, result);
     case QuickReturnType::slider_crank:
-      solve_slider_crank(problem, result);
-      break;
+      return solve_slider_crank(problem, result);
     case QuickReturnType::guide_bar:
-      solve_guide_bar(problem, result);
-      break;
+      return solve_guide_bar(problem, result);
     case QuickReturnType::shaper:
-      solve_shaper(problem, result);
-      break;
+      return solve_shaper(problem, result);
+  }
+}
+
+/// The best on the raster, beside the exact design that comes next to it.
+void solve_on_raster(const QuickReturnProblem& problem, const Run& run, const Deadline& deadline,
+                     Result& result) {
+  run.enter(Phase::raster);
+  const ReturnRasterAnswer answer = search_return_raster(problem, run, deadline);
+  Result exact;
+  if (!answer.designs.empty()) solve_exactly(exact_problem(problem, answer.best), exact);
+  tell_return_raster(problem, answer, exact.designs, result);
+  result.work.candidates = answer.search.evaluated;
+  if (deadline.interrupted()) result.status = Status::interrupted;
+  if (deadline.expired()) result.status = Status::time_limit;
+}
+
+Result find_returns(const QuickReturnProblem& problem, const Run& run, const Deadline& deadline) {
+  Result result;
+  if (problem.raster) {
+    solve_on_raster(problem, run, deadline, result);
+  } else {
+    solve_exactly(problem, result);
   }
   const bool sound = std::ranges::any_of(
       result.designs, [](const Design& design) { return all_satisfied(design.constraints); });
@@ -218,6 +237,20 @@ Result solve(const QuickReturnProblem& given, const Run& run) {
     result.notes.emplace_back(
         "No linkage of the family meets every constraint; the designs are the nearest.");
   }
+  return result;
+}
+
+}  // namespace
+
+Result solve(const QuickReturnProblem& given, const Run& run) {
+  const auto valid = KindTraits<QuickReturnProblem>::checked(given);
+  if (!valid) return refused<Result>(valid.error());
+  const QuickReturnProblem& problem = *valid;
+  const Deadline deadline(run);
+  Result result = solve_in_layers(problem, run, DesignSource::exact,
+                                  [&](const QuickReturnProblem& one, const Run& own) {
+                                    return find_returns(one, own, deadline);
+                                  });
   mark_twins(result.designs);
   add_warnings(std::nullopt, problem.warnings, result);
   add_tolerances(

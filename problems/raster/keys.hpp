@@ -28,9 +28,12 @@ inline constexpr std::array kRasterKeys{
     RasterKey{"rocker", "the rocker"},
     RasterKey{"frame", "the frame, where the pivots are free or not searched"},
     RasterKey{"offset", "the offset of a slider-crank, of a cam's follower", true},
+    RasterKey{"bar", "of shapers: the bar, from its pivot to the rod"},
+    RasterKey{"rod", "of shapers: from the bar to the ram"},
+    RasterKey{"ram_height", "of shapers: of the ram's line above the bar's pivot"},
     RasterKey{"base_radius",
-              "of cams: that of the prime circle, of flat faces and knife edges of "
-              "the base circle"},
+              "of cams: that of the prime circle, of flat faces and knife edges of the "
+              "base circle"},
     RasterKey{"roller_radius", "of cams: the roller"},
     RasterKey{"centre_distance", "of cams: the follower's pivot from the cam's centre"},
     RasterKey{"arm", "of cams: from the pivot to the roller's centre"},
@@ -38,7 +41,7 @@ inline constexpr std::array kRasterKeys{
 
 inline constexpr std::string_view kRasterBoxesKey = "boxes";
 inline constexpr std::string_view kRasterBoxesMeaning =
-    "how many boxes branch and bound examines at most (default 20000)";
+    "how many boxes branch and bound examines at most (default 20000, of quick returns 1000000)";
 inline constexpr std::string_view kRasterFree = "free";
 
 }  // namespace cognate::problems

@@ -39,9 +39,12 @@ std::optional<Raster> read_raster(TableReader& document, std::span<const std::st
                                   std::string_view refusal) {
   if (!document.contains(kTable)) return std::nullopt;
   TableReader table = document.table(kTable);
+  const std::size_t faults_before = document.faults().size();
   Raster raster;
   for (const RasterKey& key : kRasterKeys) {
-    if (std::ranges::find(keys, key.key) == keys.end() || !table.contains(key.key)) continue;
+    if (std::ranges::find(keys, key.key) == keys.end()) continue;
+    table.know({key.key});
+    if (!table.contains(key.key)) continue;
     auto rule = read_rule(table, key);
     if (rule) raster.rules.emplace_back(key.key, *std::move(rule));
   }
@@ -50,7 +53,7 @@ std::optional<Raster> read_raster(TableReader& document, std::span<const std::st
   if (!refusal.empty()) document.fault(kTable, refusal);
   const bool is_any =
       std::ranges::any_of(raster.rules, [](const auto& entry) { return !entry.second.is_free(); });
-  if (!is_any && refusal.empty()) {
+  if (!is_any && document.faults().size() == faults_before) {
     document.fault(kTable, fmt::format("puts no dimension on a raster; expected at least one of {}",
                                        fmt::join(keys, ", ")));
   }

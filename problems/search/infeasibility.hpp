@@ -35,10 +35,11 @@ inline constexpr double kMostExplaining = 3e8;
 /// Adds that to the notes of a result without a sound design. `solve_once` solves a changed
 /// problem, which requests one design from few starts, and explains nothing.
 template <class AnyProblem, class SolveOnce>
-void add_infeasibility(const AnyProblem& problem, const Deadline& deadline,
+void add_infeasibility(const AnyProblem& problem, const Run& run, const Deadline& deadline,
                        const SolveOnce& solve_once, Result& result) {
   constexpr int kStarts = 250;
   if (result.status != Status::infeasible && result.status != Status::no_solution) return;
+  run.enter(Phase::infeasibility, kUnknownEnd);
   double cost = 0;
   const Feasibility feasible = [&](const Constraints& constraints, const Bounds& bounds) {
     AnyProblem other = problem;

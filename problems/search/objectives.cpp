@@ -180,6 +180,7 @@ std::optional<DesignObjective> measure_of(const Solve& solve) {
 }
 
 Result solve_front(const ObjectiveTask& task, const Run& run, const Deadline& deadline) {
+  run.enter(Phase::front, kUnknownEnd);
   FrontDesigns designs(task, deadline);
   const FrontReport report(task, designs);
   const synthesis::FrontProblem problem = designs.problem();

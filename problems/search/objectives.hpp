@@ -56,8 +56,7 @@ Result solve_objectives(const AnyProblem& problem, const Run& run, const Deadlin
     other.solve.objectives.clear();
     other.solve.designs = kMinima;
     if (!seed) other.solve.starts = 0;
-    Run own = run;
-    own.progress = nullptr;
+    Run own = silent(run);
     own.known = known;
     own.seed = seed.value_or(run.seed);
     return solve_once(other, own);

@@ -55,4 +55,22 @@ void SpreadPerturbation::move(std::span<const double> x, std::size_t sample,
   }
 }
 
+LevelPerturbation::LevelPerturbation(const RobustStart& start, std::size_t levels)
+    : start_(start), levels_(levels) {
+  for (std::size_t d = 0; d < start.dimensions.size(); ++d) count_ *= levels;
+}
+
+void LevelPerturbation::move(std::span<const double> x, std::size_t sample, std::span<double> moved,
+                             std::span<double> slope) const {
+  std::ranges::copy(x, moved.begin());
+  std::ranges::fill(slope, 1.0);
+  for (std::size_t d = 0; d < start_.variables.size(); ++d) {
+    const TolerancedDimension& dimension = start_.dimensions[d];
+    const double share = static_cast<double>(sample % levels_) / static_cast<double>(levels_ - 1);
+    sample /= levels_;
+    move_along(start_.variables[d], dimension.middle() + (2 * share - 1) * dimension.half_width(),
+               moved, slope);
+  }
+}
+
 }  // namespace cognate::problems

@@ -44,4 +44,21 @@ class SpreadPerturbation final : public synthesis::Perturbation {
   std::vector<double> middle_, away_;
 };
 
+/// Every combination of `levels` values of each dimension, evenly from the least to the greatest
+/// that its tolerance allows: of 2 the corners of their box, of 3 also the middles of its edges and
+/// faces.
+class LevelPerturbation final : public synthesis::Perturbation {
+ public:
+  /// `start` must outlive this object.
+  LevelPerturbation(const RobustStart& start, std::size_t levels);
+
+  std::size_t count() const override { return count_; }
+  void move(std::span<const double> x, std::size_t sample, std::span<double> moved,
+            std::span<double> slope) const override;
+
+ private:
+  const RobustStart& start_;
+  std::size_t levels_, count_ = 1;
+};
+
 }  // namespace cognate::problems

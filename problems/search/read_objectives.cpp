@@ -15,21 +15,6 @@ namespace {
 constexpr std::string_view kKey = "objectives";
 constexpr int kFrontDesigns = 12;
 
-void read_error_limit(TableReader& table, const ObjectiveScope& scope, Constraints& constraints) {
-  for (const auto& [key, of] : names<ErrorMeasure>()) {
-    if (of == scope.error) {
-      const auto most = table.number(key, kErrorScale);
-      if (!most) continue;
-      if (!scope.exact.empty()) table.fault(key, scope.exact);
-      constraints.error = ErrorLimit{of, of == ErrorMeasure::rms_length ? *most : radians(*most)};
-    } else if (table.has(key)) {
-      table.fault(key,
-                  fmt::format("is of another error than this problem's; expected constraints.{}",
-                              to_string(scope.error)));
-    }
-  }
-}
-
 /// Each once, with faults for what is no measure.
 std::vector<DesignObjective> read_measures(TableReader& table) {
   std::vector<std::string_view> allowed;
@@ -110,9 +95,27 @@ void check_company(TableReader& table, const ObjectiveScope& scope, bool front, 
 
 }  // namespace
 
+std::optional<ErrorLimit> read_error_limit(TableReader& constraints, ErrorMeasure measure) {
+  std::optional<ErrorLimit> limit;
+  for (const auto& [key, of] : names<ErrorMeasure>()) {
+    if (of == measure) {
+      const auto most = constraints.number(key, kErrorScale);
+      if (most) limit = {of, of == ErrorMeasure::rms_length ? *most : radians(*most)};
+    } else if (constraints.has(key)) {
+      constraints.fault(
+          key, fmt::format("is of another error than this problem's; expected constraints.{}",
+                           to_string(measure)));
+    }
+  }
+  return limit;
+}
+
 void read_objectives(TableReader& constraints_table, TableReader& solve_table,
                      const ObjectiveScope& scope, Constraints& constraints, Solve& solve) {
-  read_error_limit(constraints_table, scope, constraints);
+  if (const auto limit = read_error_limit(constraints_table, scope.error)) {
+    if (!scope.exact.empty()) constraints_table.fault(to_string(scope.error), scope.exact);
+    constraints.error = limit;
+  }
   solve.objectives = read_measures(solve_table);
   const auto& all = solve.objectives;
   const bool with_error = std::ranges::count(all, DesignObjective::error) > 0;

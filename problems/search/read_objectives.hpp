@@ -1,6 +1,7 @@
 /// @file `solve.objectives` and the bounds on the error that go with them.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "problems/linkage/linkage_limits.hpp"
@@ -17,9 +18,12 @@ struct ObjectiveScope {
   bool needs_full_turn = true;  ///< whether the transmission angle is searched over full turns only
 };
 
-/// `constraints.rms_error_max`, `rms_error_deg_max` or `max_error_deg_max`, whichever is the error
-/// of the problem, and `solve.objectives`; with a front, `solve.designs` is 12 by default. The rest
-/// of both tables has been read.
+/// `rms_error_max`, `rms_error_deg_max` or `max_error_deg_max`, whichever is the error of the
+/// problem; the others are faults.
+std::optional<ErrorLimit> read_error_limit(TableReader& constraints, ErrorMeasure measure);
+
+/// That limit of `[constraints]`, and `solve.objectives`; with a front, `solve.designs` is 12 by
+/// default. The rest of both tables has been read.
 void read_objectives(TableReader& constraints_table, TableReader& solve_table,
                      const ObjectiveScope& scope, Constraints& constraints, Solve& solve);
 

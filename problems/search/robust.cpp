@@ -4,55 +4,53 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/parallel.hpp"
 #include "problems/search/perturbations.hpp"
+#include "problems/search/robust_criterion.hpp"
 #include "synthesis/robust/mean_square_model.hpp"
-#include "synthesis/robust/quantile_model.hpp"
 #include "synthesis/search/multi_start.hpp"
 
 namespace cognate::problems {
 namespace {
 
-/// Samples of the search, of a point of the front, and of the figures that are reported.
-constexpr std::size_t kSearchSamples = 1024, kFrontSamples = 30'000, kReportedSamples = 1'000'000;
 /// Shares of the tolerances under which the mean square is least: in the beginning more than all of
 /// them, so that what minds them much is left; and less, for the front.
 constexpr std::array kWideThenWhole{3.0, 1.0};
 constexpr std::array kPartly{0.25, 0.5};
 constexpr int kMeanIterations = 100;
-constexpr double kMeanGain = 1e-2;  ///< as kGain
-/// Points of the front between nominal optimum and least quantile.
+/// A search for it that gains less than this begins anew no more; so often at most.
+constexpr double kMeanGain = 1e-2;
+constexpr int kMeanRestarts = 4;
+/// Points of the front between nominal optimum and least figure.
 constexpr int kBetween = 5;
-/// A search that has gained less than this begins anew no more; so often at most: the solver sees a
-/// function with edges and may stop on one.
-constexpr double kGain = 1e-4;
-constexpr int kRestarts = 4;
-constexpr int kIterations = 50;
-/// So many of the least mean squares are brought to their least quantile.
+/// By how much a point of the front must be better than the one before.
+constexpr double kFrontGain = 1e-4;
+/// So many of the least mean squares are brought to their least figure.
 constexpr std::size_t kDescended = 4;
 /// Variables nearer than this, relative to 1 + |x|, are one design.
 constexpr double kSameWithin = 1e-3;
-/// Newton steps of a crank that follows: one is enough to see where a sample goes.
-constexpr int kSearchFollow = 1, kReportedFollow = 2;
-/// Seeds of samples: those of the search are not those of the figures.
-constexpr std::uint64_t kSearchSeed = 0x526f62757374, kFrontSeed = 0x46726f6e74,
-                        kReportedSeed = 0x546f6c64;
+/// Newton steps of a crank that follows.
+constexpr int kMeanFollow = 1;
+/// Shares of the time after the least mean squares, the least figures, and the points between.
+constexpr double kMeansDone = 0.4, kLeastDone = 0.75, kBetweenDone = 0.95;
 
-/// Variables on their way, and the quantile of the samples of the search.
+/// Variables on their way, and the figure that the search makes least.
 struct RobustCandidate {
   const RobustStart* start = nullptr;
   std::vector<double> x;
-  double quantile = std::numeric_limits<double>::infinity();
+  double figure = std::numeric_limits<double>::infinity();
 };
 
-/// The models of two starts may be of different assemblies: then their quantiles differ.
+/// The models of two starts may be of different assemblies: then their figures differ.
 bool is_same(const RobustCandidate& a, const RobustCandidate& b) {
-  if (std::abs(a.quantile - b.quantile) > kSameWithin * a.quantile) return false;
+  if (std::abs(a.figure - b.figure) > kSameWithin * a.figure) return false;
   const auto globals = static_cast<std::size_t>(a.start->model->global_count());
   for (std::size_t i = 0; i < globals; ++i) {
     if (!(std::abs(a.x[i] - b.x[i]) <= kSameWithin * (1 + std::abs(a.x[i])))) return false;
@@ -70,37 +68,43 @@ struct RobustFound {
 class RobustSearch {
  public:
   RobustSearch(const RobustTask& task, const Run& run, const Deadline& deadline)
-      : task_(task), run_(run), deadline_(deadline) {}
+      : task_(task),
+        run_(run),
+        deadline_(deadline),
+        criterion_(robust_criterion(task, run, deadline)) {}
 
   RobustAnswer run() {
     const auto nominal = known(task_.starts.front(), task_.starts.front().x);
     if (!nominal) return {};
     std::vector<RobustFound> all{*nominal};
     add_least(all);
+    show_done(kLeastDone);
     const std::size_t best = least_of(all);
     if (best > 0) add_between(all[0], all[best], all);
-    return {front_of(std::move(all))};
+    run_.enter(Phase::robustness, kUnknownEnd);
+    show_done(kBetweenDone);
+    const bool in_time = !is_over();
+    return {front_of(std::move(all), in_time), in_time ? kReportedSamples : kJudgedSamples};
   }
 
  private:
   bool is_over() const { return deadline_.reached(); }
 
-  synthesis::QuantileOptions options(int follow, std::optional<double> most) const {
-    return {.share = task_.share,
-            .components = task_.components,
-            .scale = task_.scale,
-            .follow = follow,
-            .most_sum_of_squares = most};
+  void show_done(double share) const {
+    if (run_.progress) run_.progress(share, std::numeric_limits<double>::infinity());
   }
 
-  /// The share of `count` samples drawn afresh that err by no more.
-  double quantile(const RobustStart& start, std::span<const double> x, std::uint64_t seed,
-                  std::size_t count) const {
-    const DrawnPerturbation drawn(start, task_.distribution, seed + run_.seed, count);
-    const synthesis::QuantileModel model(*start.model, drawn, options(kReportedFollow, {}));
-    const auto errors = model.errors(x, run_.threads);
-    const double place = std::ceil(task_.share * static_cast<double>(count));
-    return task_.unit * errors[std::min(count, static_cast<std::size_t>(place)) - 1];
+  /// Calls `task` for each index, and shows how the share done goes from `from` to `to`.
+  void for_each(std::size_t count, double from, double to,
+                const std::function<void(std::size_t)>& task) const {
+    run_.enter(Phase::robustness, to);
+    std::atomic<std::size_t> done = 0;
+    parallel_for(static_cast<int>(count), run_.threads, [&](int index, int thread) {
+      if (is_over()) return;
+      task(static_cast<std::size_t>(index));
+      const double share = static_cast<double>(++done) / static_cast<double>(count);
+      if (thread == 0) show_done(from + (to - from) * share);
+    });
   }
 
   bool place(const RobustStart& start, std::vector<double>& x) const {
@@ -114,31 +118,8 @@ class RobustSearch {
     if (!design) return std::nullopt;
     RobustFound found{&start, std::move(x), {*std::move(design)}};
     found.point.error = task_.error(found.point.design);
-    found.point.quantile = quantile(start, found.x, kFrontSeed, kFrontSamples);
+    found.point.figure = criterion_->judged(start, found.x);
     return found;
-  }
-
-  /// The least quantile that a descent from `x` finds, the nominal sum of squares within `most`.
-  std::vector<double> descend(const RobustStart& start, std::vector<double> x,
-                              std::optional<double> most) const {
-    const DrawnPerturbation drawn(start, task_.distribution, kSearchSeed, kSearchSamples);
-    const synthesis::QuantileModel model(*start.model, drawn, options(kSearchFollow, most));
-    const synthesis::RestrictedModel restricted(model, start.lower, start.upper);
-    double before = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < kRestarts && !is_over(); ++round) {
-      const auto solution =
-          synthesis::solve(synthesis::Solver::slsqp, restricted, restricted.inwards(x),
-                           {.tolerance = 1e-9,
-                            .max_iterations = kIterations,
-                            .time_limit = deadline_.remaining(),
-                            .interrupted = deadline_.flag()});
-      const bool is_worse = !(solution.objective < before * (1 - kGain));
-      if (solution.x.empty() || solution.stop == synthesis::Stop::no_value) break;
-      if (solution.objective < before) x = restricted.outwards(solution.x);
-      if (is_worse) break;
-      before = solution.objective;
-    }
-    return x;
   }
 
   /// Where the mean square is least under one share of the tolerances after another; empty where it
@@ -147,10 +128,10 @@ class RobustSearch {
                                             std::span<const double> shares) const {
     for (const double share : shares) {
       const SpreadPerturbation spread(start, task_.distribution, share);
-      const synthesis::MeanSquareModel model(*start.model, spread, kSearchFollow);
+      const synthesis::MeanSquareModel model(*start.model, spread, kMeanFollow);
       const synthesis::RestrictedModel restricted(model, start.lower, start.upper);
       double before = std::numeric_limits<double>::infinity();
-      for (int round = 0; round < kRestarts; ++round) {
+      for (int round = 0; round < kMeanRestarts; ++round) {
         const auto solution = synthesis::solve(
             synthesis::Solver::gauss_newton, restricted, restricted.inwards(x),
             synthesis::until(deadline_, {.tolerance = 1e-9, .max_iterations = kMeanIterations}));
@@ -164,30 +145,24 @@ class RobustSearch {
     return x;
   }
 
-  double quantile_seen(const RobustStart& start, std::span<const double> x) const {
-    const DrawnPerturbation drawn(start, task_.distribution, kSearchSeed, kSearchSamples);
-    const synthesis::QuantileModel model(*start.model, drawn, options(kSearchFollow, {}));
-    double value = 0;
-    return model.residuals(x, {&value, 1}, {}, {}) ? value
-                                                   : std::numeric_limits<double>::infinity();
-  }
-
-  /// From every nominal minimum where the mean square is least, each once, by their quantiles.
+  /// From every nominal minimum where the mean square is least, each once, by their figures.
   std::vector<RobustCandidate> candidates() const {
     constexpr std::size_t kWays = kWideThenWhole.size();
     std::vector<RobustCandidate> all(task_.starts.size() * kWays);
-    parallel_for(static_cast<int>(all.size()), run_.threads, [&](int index, int) {
-      if (is_over()) return;
-      const auto i = static_cast<std::size_t>(index);
+    for_each(all.size(), 0, kMeansDone, [&](std::size_t i) {
       const RobustStart& start = task_.starts[i / kWays];
       const std::span<const double> shares = std::span(kWideThenWhole).subspan(i % kWays);
       if (auto x = settle(start, start.x, shares)) {
         all[i] = {&start, *std::move(x)};
-        all[i].quantile = quantile_seen(start, all[i].x);
+        all[i].figure = criterion_->seen(start, all[i].x);
       }
+      if (std::isfinite(all[i].figure)) return;
+      // What is least in the mean may have parts that cannot be assembled.
+      all[i] = {&start, start.x};
+      all[i].figure = criterion_->seen(start, start.x);
     });
-    std::erase_if(all, [](const auto& one) { return !std::isfinite(one.quantile); });
-    std::ranges::stable_sort(all, {}, &RobustCandidate::quantile);
+    std::erase_if(all, [](const auto& one) { return !std::isfinite(one.figure); });
+    std::ranges::stable_sort(all, {}, &RobustCandidate::figure);
     std::vector<RobustCandidate> different;
     for (RobustCandidate& one : all) {
       const auto same = [&](const RobustCandidate& known) { return is_same(known, one); };
@@ -196,14 +171,16 @@ class RobustSearch {
     return different;
   }
 
-  /// The least quantiles, and the mean squares from which they come.
+  /// The least figures, and what they come from: mean squares, and the nominal optimum.
   void add_least(std::vector<RobustFound>& all) const {
-    const auto from = candidates();
-    std::vector<std::optional<RobustFound>> found(2 * std::min(kDescended, from.size()));
-    parallel_for(static_cast<int>(found.size()), run_.threads, [&](int index, int) {
-      const auto i = static_cast<std::size_t>(index);
-      const auto& [start, x, quantile] = from[i / 2];
-      if (!is_over()) found[i] = known(*start, i % 2 == 0 ? x : descend(*start, x, {}));
+    auto from = candidates();
+    if (from.size() > kDescended) from.resize(kDescended);
+    const RobustStart& nominal = task_.starts.front();
+    from.push_back({&nominal, nominal.x});
+    std::vector<std::optional<RobustFound>> found(2 * from.size());
+    for_each(found.size(), kMeansDone, kLeastDone, [&](std::size_t i) {
+      const auto& [start, x, figure] = from[i / 2];
+      found[i] = known(*start, i % 2 == 0 ? x : criterion_->descend(*start, x, {}));
     });
     add(std::move(found), all);
   }
@@ -216,7 +193,7 @@ class RobustSearch {
 
   static std::size_t least_of(const std::vector<RobustFound>& all) {
     const auto least = std::ranges::min_element(
-        all, {}, [](const RobustFound& found) { return found.point.quantile; });
+        all, {}, [](const RobustFound& found) { return found.point.figure; });
     return static_cast<std::size_t>(least - all.begin());
   }
 
@@ -234,13 +211,11 @@ class RobustSearch {
     const double low = std::sqrt(sum_of_squares(nominal)), high = std::sqrt(sum_of_squares(best));
     if (!(high > low)) return;
     std::vector<std::optional<RobustFound>> found(kBetween);
-    parallel_for(kBetween, run_.threads, [&](int index, int) {
-      if (is_over()) return;
-      const double share = double(index + 1) / (kBetween + 1);
+    for_each(kBetween, kLeastDone, kBetweenDone, [&](std::size_t i) {
+      const double share = double(i + 1) / (kBetween + 1);
       const double most = low + share * (high - low);
       const RobustFound& from = share < 0.5 ? nominal : best;
-      found[static_cast<std::size_t>(index)] =
-          known(*from.start, descend(*from.start, from.x, most * most));
+      found[i] = known(*from.start, criterion_->descend(*from.start, from.x, most * most));
     });
     add(std::move(found), all);
     for (const double share : kPartly) {
@@ -251,34 +226,77 @@ class RobustSearch {
     }
   }
 
-  /// Those that no other is better than in both, by their error; the two ends reported by more
-  /// samples, the end dropped where these do not find it better.
-  std::vector<RobustPoint> front_of(std::vector<RobustFound> all) const {
+  /// Those that no other is better than in both, by their error; in time the two ends reported by
+  /// more samples, the end dropped where these do not find it better.
+  std::vector<RobustPoint> front_of(std::vector<RobustFound> all, bool in_time) const {
     std::ranges::stable_sort(all.begin() + 1, all.end(), {},
                              [](const RobustFound& found) { return found.point.error; });
     std::vector<RobustFound*> kept;
     for (RobustFound& found : all) {
-      const bool is_less = kept.empty() || found.point.quantile < kept.back()->point.quantile;
+      const bool is_less =
+          kept.empty() || found.point.figure < kept.back()->point.figure * (1 - kFrontGain);
       if (is_less) kept.push_back(&found);
     }
-    report(*kept.front());
-    if (kept.size() > 1) {
+    if (in_time) report(*kept.front());
+    if (in_time && kept.size() > 1) {
       report(*kept.back());
-      if (!(kept.back()->point.quantile < kept.front()->point.quantile)) kept.resize(1);
+      if (!(kept.back()->point.figure < kept.front()->point.figure)) kept.resize(1);
     }
+    // The ends have moved by the noise of fewer samples: those between stay between.
+    const double most = kept.front()->point.figure, least = kept.back()->point.figure;
+    std::erase_if(kept, [&](const RobustFound* found) {
+      const bool is_end = found == kept.front() || found == kept.back();
+      return !is_end && !(found->point.figure > least && found->point.figure < most);
+    });
     std::vector<RobustPoint> front;
     for (RobustFound* found : kept) front.push_back(std::move(found->point));
     return front;
   }
 
   void report(RobustFound& found) const {
-    found.point.quantile = quantile(*found.start, found.x, kReportedSeed, kReportedSamples);
+    found.point.figure = criterion_->reported(*found.start, found.x);
   }
 
   const RobustTask& task_;
   const Run& run_;
   const Deadline& deadline_;
+  std::unique_ptr<RobustCriterion> criterion_;
 };
+
+std::string quantile_note(const RobustTask& task, double robust, double nominal,
+                          std::size_t samples) {
+  const double share = 100 * task.share;
+  if (!std::isfinite(robust)) {
+    return fmt::format(
+        "Of what is made of the nominal optimum not even {:.4g} % can be assembled, nor of any "
+        "design that was found.",
+        share);
+  }
+  if (!std::isfinite(nominal)) {
+    return fmt::format(
+        "Of what is made of the robust design {:.4g} % err by no more than {:.4g}; of the nominal "
+        "optimum not even as many can be assembled: by {} samples that the search has not seen.",
+        share, robust, samples);
+  }
+  return fmt::format(
+      "Of what is made of the robust design {:.4g} % err by no more than {:.4g}, of the nominal "
+      "optimum by no more than {:.4g}: by {} samples that the search has not seen.",
+      share, robust, nominal, samples);
+}
+
+std::string worst_case_note(double robust, double nominal) {
+  if (!std::isfinite(robust)) {
+    return "Within the tolerances the nominal optimum cannot always be assembled, nor can any "
+           "design that was found.";
+  }
+  const std::string of_nominal = std::isfinite(nominal)
+                                     ? fmt::format("errs by no more than {:.4g}", nominal)
+                                     : std::string("cannot always be assembled");
+  return fmt::format(
+      "At the corners of the box of tolerances, the middles of its edges and of its faces the "
+      "robust design errs by no more than {:.4g}, the nominal optimum {}.",
+      robust, of_nominal);
+}
 
 }  // namespace
 
@@ -293,15 +311,6 @@ std::optional<Constraints> with_good_transmission(const Constraints& constraints
   return narrowed;
 }
 
-Run part_of(const Run& run, double from, double to) {
-  Run part = run;
-  if (!run.progress) return part;
-  part.progress = [progress = run.progress, from, to](double share, double best) {
-    progress(from + (to - from) * share, best);
-  };
-  return part;
-}
-
 RobustAnswer robust_designs(const RobustTask& task, const Run& run, const Deadline& deadline) {
   return task.starts.empty() ? RobustAnswer{} : RobustSearch(task, run, deadline).run();
 }
@@ -312,23 +321,23 @@ void add_robust(const RobustTask& task, RobustAnswer answer, bool is_angle, Resu
         "There is no robust design: no nominal design meets every constraint.");
     return;
   }
+  const bool is_worst = is_worst_case(task);
   const std::string unit = is_angle ? "_deg" : "";
-  Family family{"Robust front", {{"nominal_error" + unit, {}}, {"quantile" + unit, {}}}};
+  const std::string figure = is_worst ? "worst_case" : "quantile";
+  Family family{"Robust front", {{"nominal_error" + unit, {}}, {figure + unit, {}}}};
   for (RobustPoint& point : answer.front) {
     // By these the page finds a design on the front.
     point.design.metrics.quantities.push_back({family.columns[0].name, point.error});
-    point.design.metrics.quantities.push_back({family.columns[1].name, point.quantile});
+    point.design.metrics.quantities.push_back({family.columns[1].name, point.figure});
     family.columns[0].values.push_back(point.error);
-    family.columns[1].values.push_back(point.quantile);
+    family.columns[1].values.push_back(point.figure);
   }
-  const double nominal = answer.front.front().quantile, robust = answer.front.back().quantile;
-  result.quantities.push_back({"nominal_quantile" + unit, nominal});
-  result.quantities.push_back({"robust_quantile" + unit, robust});
-  result.quantities.push_back({"robust_samples", double(kReportedSamples)});
-  result.notes.push_back(fmt::format(
-      "Of what is made of the robust design {:.4g} % err by no more than {:.4g}, of the nominal "
-      "optimum by no more than {:.4g}: by {} samples that the search has not seen.",
-      100 * task.share, robust, nominal, kReportedSamples));
+  const double nominal = answer.front.front().figure, robust = answer.front.back().figure;
+  result.quantities.push_back({fmt::format("nominal_{}{}", figure, unit), nominal});
+  result.quantities.push_back({fmt::format("robust_{}{}", figure, unit), robust});
+  if (!is_worst) result.quantities.push_back({"robust_samples", double(answer.samples)});
+  result.notes.push_back(is_worst ? worst_case_note(robust, nominal)
+                                  : quantile_note(task, robust, nominal, answer.samples));
   if (answer.front.size() == 1) {
     result.notes.emplace_back("No design was found that is more robust than the nominal optimum.");
   }

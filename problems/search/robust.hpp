@@ -1,5 +1,5 @@
-/// @file Designs whose quantile of the error over their tolerances is least, for any kind whose
-/// problem is a model.
+/// @file Designs whose error over their tolerances is least, by a quantile or in the worst case,
+/// for any kind whose problem is a model.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +30,8 @@ struct RobustStart {
 
 /// What is asked.
 struct RobustTask {
-  double share = 0.99;  ///< of what is made: its error is no greater than the quantile
+  /// Of what is made: its error is no greater than the quantile. 1: the worst case.
+  double share = 0.99;
   ToleranceDistribution distribution = ToleranceDistribution::normal;
   int components = 2;               ///< see QuantileOptions
   std::vector<double> scale;        ///< likewise
@@ -48,14 +49,15 @@ struct RobustTask {
 /// A point of the front.
 struct RobustPoint {
   Design design;
-  double error = 0;     ///< nominal
-  double quantile = 0;  ///< by samples that the search has not seen
+  double error = 0;   ///< nominal
+  double figure = 0;  ///< quantile or worst case, by samples that the search has not seen
 };
 
 struct RobustAnswer {
-  /// From the nominal optimum to the least quantile: each point but the first has a lesser quantile
-  /// than the one before. At least one, unless no start is within its constraints.
+  /// From the nominal optimum to the least figure: each point but the first has a lesser one than
+  /// the one before. At least one, unless no start is within its constraints.
   std::vector<RobustPoint> front;
+  std::size_t samples = 0;  ///< by which its ends are judged
 };
 
 /// The limits of a file and a transmission angle far from those of dead points, near which every
@@ -66,15 +68,17 @@ std::optional<Constraints> with_good_transmission(const Constraints& constraints
 /// Where the search for nominal minima, that for more starts, and that from both end.
 inline constexpr double kNominalDone = 0.3, kStartsDone = 0.6;
 
-/// `run` with a part of its progress.
-Run part_of(const Run& run, double from, double to);
+/// Whether the worst case is to be least.
+inline bool is_worst_case(const RobustTask& task) {
+  return task.share == 1;
+}
 
-/// Starts from each nominal design and along bounds on the nominal error. No quantile is worse than
+/// Starts from each nominal design and along bounds on the nominal error. No figure is worse than
 /// the nominal optimum's, which is itself a point.
 RobustAnswer robust_designs(const RobustTask& task, const Run& run, const Deadline& deadline);
 
 /// Puts the answer into `result`: the robust design first, then the others of the front by their
-/// quantile, the nominal optimum last; the family "Robust front"; quantities and a note.
+/// figure, the nominal optimum last; the family "Robust front"; quantities and a note.
 void add_robust(const RobustTask& task, RobustAnswer answer, bool is_angle, Result& result);
 
 }  // namespace cognate::problems

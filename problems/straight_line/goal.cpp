@@ -9,11 +9,13 @@
 
 #include "analysis/numbers/parallel.hpp"
 #include "problems/basics/degrees.hpp"
+#include "problems/linkage/design_layers.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/same_design.hpp"
 #include "problems/linkage/twins.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/linkage/warnings.hpp"
+#include "problems/raster/run_parts.hpp"
 #include "problems/straight_line/model.hpp"
 #include "problems/straight_line/normalised.hpp"
 #include "problems/straight_line/raster.hpp"
@@ -45,9 +47,8 @@ class FrontDesigns {
  public:
   FrontDesigns(const StraightLineProblem& problem, const Run& run, const Deadline& deadline,
                Work& work)
-      : problem_(problem), run_(run), deadline_(deadline), work_(work) {
+      : problem_(problem), run_(silent(run)), deadline_(deadline), work_(work) {
     problem_.solve.designs = 1;
-    run_.progress = {};
   }
 
   std::vector<FrontDesign> solve(std::optional<double> bound, const std::vector<std::size_t>& known,
@@ -102,6 +103,7 @@ SegmentFront table_of(const std::vector<synthesis::FrontPoint>& points, const Fr
 /// down from `size_limit` until segments are no longer straight. In the search's unit.
 SegmentFront segment_front(const StraightLineProblem& problem, const Run& run,
                            const Deadline& deadline, Work& work) {
+  run.enter(Phase::front, kUnknownEnd);
   FrontDesigns designs(problem, run, deadline, work);
   const synthesis::FrontProblem along{
       {.level = [](double size) { return -std::log(size); },
@@ -222,12 +224,12 @@ void add_raster_designs(const StraightLineProblem& problem, StraightLineProblem 
   constexpr int kMinima = 6;
   scaled.solve.designs = std::max(scaled.solve.designs, kMinima);
   const SegmentSearchResult continuous =
-      search_segments(scaled, {}, {}, run, deadline, result.work);
+      search_segments(scaled, {}, {}, between_values(run), deadline, result.work);
   const auto accepts = [&](const SegmentDesign& found) {
     return all_satisfied(searched_design(problem, found).constraints);
   };
-  const SegmentRasterResult found =
-      search_segment_raster(problem, scaled, unit, continuous.found, accepts, run, deadline);
+  const SegmentRasterResult found = search_segment_raster(problem, scaled, unit, continuous.found,
+                                                          accepts, on_values(run), deadline);
   for (const SegmentDesign& one : found.designs) {
     result.designs.push_back(searched_design(problem, one));
     result.designs.back().origin = one.origin;
@@ -239,11 +241,7 @@ void add_raster_designs(const StraightLineProblem& problem, StraightLineProblem 
   result.notes = raster_notes(found.search, measure);
 }
 
-}  // namespace
-
-Result search_straight_lines(const StraightLineProblem& file, const Run& run) {
-  const Deadline deadline(run);
-  const StraightLineProblem problem = prepared(file);
+Result find_segments(const StraightLineProblem& problem, const Run& run, const Deadline& deadline) {
   const double unit = unit_of(problem);
   const StraightLineProblem scaled = in_unit(problem, unit);
   const bool front = wants_front(problem);
@@ -269,9 +267,21 @@ Result search_straight_lines(const StraightLineProblem& file, const Run& run) {
   if (!front && result.designs.size() > wanted) result.designs.resize(wanted);
   mark_cognates(result.designs);
   add_notes(problem, result);
+  result.status = status_of(result, deadline);
+  return result;
+}
+
+}  // namespace
+
+Result search_straight_lines(const StraightLineProblem& file, const Run& run) {
+  const Deadline deadline(run);
+  const StraightLineProblem problem = prepared(file);
+  Result result = solve_in_layers(problem, run, DesignSource::search,
+                                  [&](const StraightLineProblem& one, const Run& own) {
+                                    return find_segments(one, own, deadline);
+                                  });
   mark_twins(result.designs);
   add_warnings(std::nullopt, problem.warnings, result);
-  result.status = status_of(result, deadline);
   result.work.skipped = {"accelerations", "forces"};
   result.work.threads = thread_count(run.threads);
   result.work.seconds = deadline.spent();

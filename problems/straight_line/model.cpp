@@ -127,8 +127,7 @@ SegmentModel::SegmentModel(const StraightLineProblem& problem, const LinkageSegm
     half_turns_ = kPi * std::round(off / kPi);
   }
   Rows rows(*this, {}, {});
-  // Of a linkage that closes, whatever the start does: how many rows there are does not depend on
-  // it.
+  // Of a linkage that closes, whatever the start does: the number of rows is that of all.
   All closing{1, 3, 2, 3, 1, 1, 0, 0.1};
   closing[length] = closing[size] = 1;
   add_rows<double>(closing, rows);

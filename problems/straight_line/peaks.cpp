@@ -7,6 +7,7 @@
 #include "analysis/numbers/golden_section.hpp"
 #include "analysis/numbers/zeros.hpp"
 #include "problems/straight_line/motion.hpp"
+#include "problems/straight_line/search.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -25,7 +26,7 @@ void add_peaks(const Value& value, const std::vector<double>& nodes, double more
     const auto depth = [&](double place) { return -value(place); };
     constexpr int kSteps = 40;
     const double peak = golden_section(depth, places[i - 1], places[i + 1], kSteps).middle();
-    if (value(peak) > most + more + 1e-9 * std::abs(most)) peaks.push_back(peak);
+    if (value(peak) > most + more + kSegmentFeasibility * std::abs(most)) peaks.push_back(peak);
   }
 }
 

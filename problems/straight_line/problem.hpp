@@ -11,6 +11,7 @@
 #include "analysis/coupler_curve/parallel_cranks.hpp"
 #include "problems/basics/kind.hpp"
 #include "problems/basics/length_unit.hpp"
+#include "problems/layers/layers.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
 #include "problems/raster/raster.hpp"
@@ -76,6 +77,7 @@ struct StraightLineProblem {
   Solve solve;  ///< `designs` is 100 where the file says nothing
   WarningLimits warnings{};
   std::optional<Tolerances> tolerances{};
+  std::optional<DesignLayers> layers{};
   std::optional<Raster> raster{};  ///< of a search
 };
 

@@ -26,7 +26,7 @@ using synthesis::Solver;
 /// Cells between nodes of single combinations to begin with.
 constexpr int kCombinationCells = 24;
 /// Rounds in which peaks between the nodes of a combination join them.
-constexpr int kCombinationRounds = 4;
+constexpr int kCombinationRounds = 10;
 /// Segments of one linkage in one assembly that are refined.
 constexpr std::size_t kSegmentsOfOne = 2;
 /// Minima of a box, from which its halves go on.
@@ -94,7 +94,7 @@ class SegmentRaster final : public synthesis::ModelRaster {
     const LinkageSegment like = from.empty() ? LinkageSegment{} : segment_at(from.front());
     for (const Assembly assembly : forms_.assemblies()) {
       LinkageSegment linkage = on_raster(at, like, assembly);
-      for (const auto& start : scanned_segments(scaled_, linkage, kSegmentsOfOne)) add(start);
+      for (const auto& start : starts_of(linkage)) add(start);
     }
     if (is_given_whole()) return all;
     for (const RasterPoint& point : from) add(segment_at(point));
@@ -174,6 +174,16 @@ class SegmentRaster final : public synthesis::ModelRaster {
     segment = forms_.model(form).segment(x);
     segment.assembly = assembly;
     return segment;
+  }
+
+  /// Where the length is sought, from within the limit as well: solvers that begin with too long a
+  /// segment may not come back to one that keeps it.
+  std::vector<LinkageSegment> starts_of(const LinkageSegment& linkage) const {
+    auto starts = scanned_segments(scaled_, linkage, kSegmentsOfOne);
+    if (scaled_.goal->length) return starts;
+    std::ranges::move(scanned_segments(scaled_, linkage, kSegmentsOfOne, 1.0),
+                      std::back_inserter(starts));
+    return starts;
   }
 
   /// The segment of one combination, peaks between the nodes among them (Remez's exchange).

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "problems/layers/link_names.hpp"
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_linkage.hpp"
 #include "problems/linkage/warnings.hpp"
@@ -191,6 +192,8 @@ StraightLineProblem KindTraits<StraightLineProblem>::read(reading::TableReader& 
   constexpr int kAll = 100;
   problem.solve.designs = solve.integer("designs", 1, kAll).value_or(kAll);
 
+  problem.layers = read_design_layers(document, constraints,
+                                      slides ? links_of<SliderCrank>() : links_of<FourBar>());
   problem.tolerances = read_tolerances(document, slides ? slider_crank_scope() : four_bar_scope());
   refuse_raster_of_contact(document);
   for (TableReader* table : {&target, &mechanism, &constraints, &solve}) table->finish();

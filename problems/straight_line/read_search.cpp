@@ -6,6 +6,8 @@
 #include <string_view>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/layers/link_names.hpp"
+#include "problems/linkage/design_layers.hpp"
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_linkage.hpp"
 #include "problems/straight_line/keys.hpp"
@@ -95,6 +97,10 @@ void check_scale(TableReader& target, const StraightLineProblem& problem) {
       "the longest; add length, a bound or a dimension, or give deviation_relative");
 }
 
+constexpr std::string_view kFrontOfLines =
+    "is given without length and deviation, but the designs of a front are the best for any number "
+    "of layers; expected one of them in [target]";
+
 }  // namespace
 
 StraightLineProblem read_straight_line_search(TableReader& document) {
@@ -127,6 +133,9 @@ StraightLineProblem read_straight_line_search(TableReader& document) {
   constexpr int kAlongFront = 12;
   if (front && !solve.has("designs")) problem.solve.designs = kAlongFront;
 
+  problem.layers = read_design_layers(document, constraints,
+                                      slides ? links_of<SliderCrank>() : links_of<FourBar>(),
+                                      front ? kFrontOfLines : layers_max_refusal(problem.solve));
   problem.tolerances = read_tolerances(document, slides ? slider_crank_scope() : four_bar_scope());
   read_straight_line_raster(document, problem);
   tables.finish();

@@ -19,8 +19,6 @@ namespace {
 constexpr std::size_t kScanSamples = 144, kScanLeastCells = 3;
 /// What is wider, or shorter, than the best by this factor is not gone on from.
 constexpr double kScanWorse = 4;
-/// How far samples may exceed a limit that the segment itself is to meet.
-constexpr double kScanLoose = 1.5;
 /// Segments whose ends are no more cells apart are neighbours.
 constexpr std::size_t kNeighbours = 5;
 
@@ -31,8 +29,9 @@ struct ScannedPair {
 
 class SegmentScan {
  public:
-  SegmentScan(const StraightLineProblem& problem, const LinkageSegment& linkage)
+  SegmentScan(const StraightLineProblem& problem, const LinkageSegment& linkage, double loose)
       : problem_(problem),
+        loose_(loose),
         linkage_(linkage),
         motion_(linkage.type, linkage.dimensions, sign(linkage.assembly)) {}
 
@@ -146,7 +145,7 @@ class SegmentScan {
     const auto is_narrow = [&](std::size_t to) {
       const double most =
           goal.deviation ? *goal.deviation : *goal.deviation_relative * chord(from, to);
-      return strip_of(from, to).half_width <= kScanLoose * most;
+      return strip_of(from, to).half_width <= loose_ * most;
     };
     std::size_t low = from + least_, high = last_from(from);
     if (high < low || !is_narrow(low)) return;
@@ -197,6 +196,7 @@ class SegmentScan {
   }
 
   const StraightLineProblem& problem_;
+  double loose_;
   const LinkageSegment& linkage_;
   CouplerMotion<double> motion_;
   StripFinder narrowest_;
@@ -211,8 +211,9 @@ class SegmentScan {
 }  // namespace
 
 std::vector<LinkageSegment> scanned_segments(const StraightLineProblem& problem,
-                                             const LinkageSegment& linkage, std::size_t most) {
-  SegmentScan scan(problem, linkage);
+                                             const LinkageSegment& linkage, std::size_t most,
+                                             double loose) {
+  SegmentScan scan(problem, linkage, loose);
   const auto& [crank, coupler, third, frame] = linkage.dimensions.links;
   const auto look = [&](bool turns, const std::vector<CrankRange>& ranges) {
     for (const CrankRange& range : ranges) scan.look_at(range, turns);

@@ -26,7 +26,7 @@ constexpr int kFineCells = 32, kFineIterations = 300;
 /// Of the solver that takes over where the other leaves limits unmet.
 constexpr int kMendingIterations = 300;
 /// Rounds in which peaks between the nodes join them.
-constexpr int kExchangeRounds = 4;
+constexpr int kExchangeRounds = 10;
 /// δ/L up to this is rounding: the line is exact.
 constexpr double kExact = 1e-12;
 constexpr double kSameOptimum = 1e-4;

@@ -35,7 +35,8 @@ std::string_view reason(NoStraightPoint why, int contact) {
       return "Ball's point falls on the coupler's pole, where nothing moves";
     case NoStraightPoint::at_slider:
       return "Ball's point is the slider's own pin, which moves straight in any case; another one "
-             "exists only where crank and coupler are in line with the slide line";
+             "exists only where crank and coupler are in line with the slide line, and points of "
+             "contact of four where the crank stands across it";
     case NoStraightPoint::too_few:
       return contact == 5
                  ? "Ball's point of this position has contact of four points, not of five; "
@@ -119,8 +120,9 @@ class Collector {
     }
     append(synthesis::straight_positions(linkage, problem_.contact),
            problem_.slider ? "No point: only in a limit position with crank and coupler along the "
-                             "slide line has a slider-crank points of contact of four or more "
-                             "other than the slider's pin."
+                             "slide line, or of contact of four with the crank across it, has a "
+                             "slider-crank points of contact of four or more other than the "
+                             "slider's pin."
                            : "No position of this assembly gives Ball's point contact of five "
                              "points.");
   }

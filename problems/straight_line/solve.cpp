@@ -14,6 +14,7 @@
 #include "problems/basics/degrees.hpp"
 #include "problems/basics/quantity_key.hpp"
 #include "problems/evaluation/mechanism_metrics.hpp"
+#include "problems/linkage/design_layers.hpp"
 #include "problems/linkage/design_tolerances.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/twins.hpp"
@@ -218,6 +219,25 @@ void add_line_tolerances(const StraightLineProblem& problem, const Run& run, Res
   add_tolerances(problem.tolerances, problem.length_unit, run, line_question, result);
 }
 
+/// The best of the solutions as designs.
+Result designs_of_solutions(const StraightLineProblem& problem, const StraightLineSolutions& found,
+                            const Deadline& deadline) {
+  Result result;
+  result.notes = found.notes;
+  bool ended_early = false;
+  for (const auto& solution : found.all) {
+    ended_early = deadline.reached();
+    if (ended_early) break;
+    result.designs.push_back(straight_line_design(problem, solution));
+  }
+  sort(result.designs);
+  result.quantities.push_back({"solutions", double(found.all.size())});
+  const auto wanted = static_cast<std::size_t>(problem.solve.designs);
+  if (result.designs.size() > wanted) result.designs.resize(wanted);
+  result.status = status_of(result, deadline, ended_early);
+  return result;
+}
+
 }  // namespace
 
 Result solve(const StraightLineProblem& given, const Run& run) {
@@ -230,19 +250,11 @@ Result solve(const StraightLineProblem& given, const Run& run) {
     return searched;
   }
   const Deadline deadline(run);
-  Result result;
-  StraightLineSolutions found = find_solutions(problem);
-  result.notes = std::move(found.notes);
-  bool ended_early = false;
-  for (const auto& solution : found.all) {
-    ended_early = deadline.reached();
-    if (ended_early) break;
-    result.designs.push_back(straight_line_design(problem, solution));
-  }
-  sort(result.designs);
-  result.quantities.push_back({"solutions", double(found.all.size())});
-  const auto wanted = static_cast<std::size_t>(problem.solve.designs);
-  if (result.designs.size() > wanted) result.designs.resize(wanted);
+  const StraightLineSolutions found = find_solutions(problem);
+  Result result = solve_in_layers(problem, run, DesignSource::exact,
+                                  [&](const StraightLineProblem& one, const Run& /*own*/) {
+                                    return designs_of_solutions(one, found, deadline);
+                                  });
   mark_twins(result.designs);
   add_warnings(std::nullopt, problem.warnings, result);
   add_line_tolerances(problem, run, result);
@@ -250,7 +262,6 @@ Result solve(const StraightLineProblem& given, const Run& run) {
     Locus locus = inflection_locus(*found.position);
     if (!locus.branches.empty()) result.loci.push_back(std::move(locus));
   }
-  result.status = status_of(result, deadline, ended_early);
   result.work.candidates = found.all.size();
   result.work.skipped = {"search", "gradients", "forces"};
   result.work.seconds = deadline.spent();

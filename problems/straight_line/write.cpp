@@ -1,4 +1,5 @@
 /// A straight-line problem written down, and checked by reading what was written.
+#include "problems/layers/read.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/raster/read.hpp"
@@ -57,6 +58,7 @@ reading::Written KindTraits<StraightLineProblem>::written(const StraightLineProb
   using namespace reading;
   TableWriter document = document_writer(kWord, problem.title, problem.length_unit);
   TableWriter constraints = constraints_writer(problem.constraints);
+  write_design_layers(problem.layers, constraints);
   if (problem.goal) {
     write_keys(problem.segment, kSegmentKeys, constraints);
     TableWriter target;
@@ -72,7 +74,9 @@ reading::Written KindTraits<StraightLineProblem>::written(const StraightLineProb
         .set("solve", TableWriter{}.set("designs", problem.solve.designs));
   }
   document.set("warnings", warnings_writer(problem.warnings));
-  document.append(tolerance_table(problem.tolerances, false)).append(raster_table(problem.raster));
+  document.append(layers_table(problem.layers))
+      .append(tolerance_table(problem.tolerances, false))
+      .append(raster_table(problem.raster));
   return {document.take(), {}};
 }
 

@@ -29,6 +29,12 @@ bool begins_with_atlas(const Task& task) {
   return path && path->atlas;
 }
 
+/// Whether rows would depend on the file of a gear train beside the base.
+bool names_train_file(const Task& task) {
+  const auto* const machine = std::get_if<MachineProblem>(&task);
+  return machine && machine->motor && machine->motor->train && !machine->motor->train->file.empty();
+}
+
 }  // namespace
 
 std::optional<BaseFile> read_base(TableReader& study_file, const std::filesystem::path& folder,
@@ -66,6 +72,15 @@ std::optional<BaseFile> read_base(TableReader& study_file, const std::filesystem
         kBase, fmt::format("is {}, which has solve.atlas, a file that its rows would depend on; "
                            "expected a base without one",
                            in_quotes(*base)));
+    return std::nullopt;
+  }
+  if (names_train_file(read->task)) {
+    study_file.fault(
+        kBase,
+        fmt::format("is {}, whose motor.train is a file that its rows would depend on; "
+                    "expected a base with the tables of the train under [motor.train], whose "
+                    "numbers can then vary too",
+                    in_quotes(*base)));
     return std::nullopt;
   }
   BaseFile found{*std::move(document), {}, metrics(read->task)};

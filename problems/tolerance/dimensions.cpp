@@ -128,6 +128,14 @@ void add_dimensions(const ChainDescription& chain, std::vector<MechanismDimensio
         [](ChainDescription& of) -> double& { return std::get<CrankDescription>(of.drive).length; },
         all);
     all.back().is_length = true;
+  } else if (const auto* cylinder = std::get_if<CylinderDescription>(&chain.drive)) {
+    add_number(
+        cylinder->names[2], chain,
+        [](ChainDescription& of) -> double& {
+          return std::get<CylinderDescription>(of.drive).length;
+        },
+        all);
+    all.back().is_length = true;
   } else {
     add_number(
         std::get<SliderDescription>(chain.drive).name, chain,

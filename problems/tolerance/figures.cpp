@@ -28,7 +28,7 @@ namespace {
 constexpr double kNonlinear = 0.05;
 
 bool is_drive_slider(const NamedMechanism& mechanism) {
-  return std::holds_alternative<DrivingSlider<double>>(mechanism.mechanism.drive);
+  return driven_by_length(mechanism.mechanism.drive);
 }
 
 double shown_drive(const NamedMechanism& mechanism, double drive) {

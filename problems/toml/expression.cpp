@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/basics/enumeration.hpp"
 #include "problems/toml/nearest.hpp"
 
 namespace cognate::problems::reading {
@@ -25,24 +26,15 @@ constexpr std::string_view kNames =
 
 using Variables = std::vector<std::string>;
 
-// "x", "phi and w", "phi, w and t".
-std::string in_words(const Variables& variables) {
-  std::string words = variables.front();
-  for (std::size_t i = 1; i < variables.size(); ++i) {
-    words += (i + 1 < variables.size() ? ", " : " and ") + variables[i];
-  }
-  return words;
-}
-
 std::string expected_form(const Variables& variables) {
   return variables.empty() ? "one expression without variables"
-                           : "one expression in " + in_words(variables);
+                           : "one expression in " + enumeration(variables);
 }
 
 std::string known_names(const Variables& variables) {
   if (variables.empty()) return std::string(kNames);
-  return fmt::format("the variable{} {}, {}", variables.size() == 1 ? "" : "s", in_words(variables),
-                     kNames);
+  return fmt::format("the variable{} {}, {}", variables.size() == 1 ? "" : "s",
+                     enumeration(variables), kNames);
 }
 
 // A parser and the values it is bound to. It keeps their addresses, so a copy is a new parser.

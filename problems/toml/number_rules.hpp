@@ -65,6 +65,9 @@ inline constexpr NumberRule kWeight{[](double x) { return x >= 0 && is_magnitude
 inline constexpr NumberRule kRatio{[](double x) { return x >= 1 && x <= kGreatestMagnitude; },
                                    "a ratio from 1 to 1e100"};
 
+inline constexpr NumberRule kDutyFactor{[](double x) { return x >= 0.05 && x <= 0.95; },
+                                        "a share of the turn from 0.05 to 0.95"};
+
 inline constexpr NumberRule kErrorScale{is_positive_magnitude, "an error from 1e-100 to 1e100"};
 
 inline constexpr NumberRule kTolerance{[](double x) { return x > 0 && x < 1; },

@@ -8,6 +8,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "analysis/train/train_loads.hpp"
 #include "problems/train/resolve.hpp"
+#include "problems/train/transmission.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -136,26 +137,18 @@ class TrainAnalysis {
     }
     if (!is_simple || speed(own_.output) == 0 || speed(own_.inputs[0]) == 0) return;
     const int input = own_.inputs[0];
-    const double sense = sign_of(speed(input));
-    const auto forward = loads({{input, sense}}, {own_.output});
-    const auto gain = [&](const std::optional<TrainLoads>& loads, int from, int to) {
-      if (!loads) return 0.0;
-      const double given = loads->external[at(from)] * speed(from);
-      return given > 0 ? -loads->external[at(to)] * speed(to) / given : 0.0;
-    };
-    const double efficiency = gain(forward, input, own_.output);
-    if (efficiency > 0) {
-      add("torque_ratio", forward->external[at(own_.output)] / sense);
-      add("efficiency", efficiency);
+    const UnitLoads unit = unit_loads(own_.train, member_speeds_, input, own_.output);
+    if (unit.efficiency > 0) {
+      add("torque_ratio", unit.forward->external[at(own_.output)] / sign_of(speed(input)));
+      add("efficiency", unit.efficiency);
     } else {
       note(fmt::format(
           "The train is self-locking: driven at \"{}\" it cannot move \"{}\" against a load.",
           own_.names[at(input)], own_.names[at(own_.output)]));
     }
-    add("self_locking", !(efficiency > 0));
-    const double back = gain(loads({{input, -sense}}, {own_.output}), own_.output, input);
-    if (back > 0) add("reverse_efficiency", back);
-    add("reverse_self_locking", !(back > 0));
+    add("self_locking", !(unit.efficiency > 0));
+    if (unit.reverse_efficiency > 0) add("reverse_efficiency", unit.reverse_efficiency);
+    add("reverse_self_locking", !(unit.reverse_efficiency > 0));
   }
 
   /// The torques of the file, or 1 N m that drives the first input.
@@ -216,30 +209,8 @@ class TrainAnalysis {
     if (own_.inputs.size() > 1 && given > 0) add("efficiency", 1 - loss / given);
   }
 
-  double orbit_in_metres(const train::Planet& planet) const {
-    const auto radii = orbit_radii(planet, own_.sized, own_.planets);
-    return radii.empty() ? 0 : radii.front() * metres(problem_.length_unit);
-  }
-
-  /// Twice the kinetic energy.
-  double energy() const {
-    double sum = 0;
-    for (const auto& shaft : problem_.shafts) {
-      const double own = speed(own_.number_of(shaft.name));
-      sum += shaft.inertia * own * own;
-    }
-    for (std::size_t k = 0; k < own_.planets.size(); ++k) {
-      const auto& planet = own_.planets[k];
-      const double own = speed(planet.member);
-      const double along = speed(planet.carrier) * orbit_in_metres(planet);
-      sum += planet.count *
-             (problem_.planets[k].inertia * own * own + problem_.planets[k].mass * along * along);
-    }
-    return sum;
-  }
-
   void add_inertia() {
-    const double sum = energy();
+    const double sum = doubled_energy(problem_, own_, member_speeds_);
     if (!(sum > 0) || own_.inputs.size() != 1) return;
     for (int i = 0; i < own_.train.members; ++i) {
       const double own = speed(i);

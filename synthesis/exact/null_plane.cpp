@@ -26,6 +26,8 @@ std::optional<std::array<Eigen::Matrix<double, Rows + Dimension, 1>, Dimension>>
 
 template std::optional<std::array<Eigen::Matrix<double, 4, 1>, 1>> null_basis<1, 3>(
     const Eigen::Matrix<double, 3, 4>&);
+template std::optional<std::array<Eigen::Matrix<double, 5, 1>, 2>> null_basis<2, 3>(
+    const Eigen::Matrix<double, 3, 5>&);
 template std::optional<std::array<Eigen::Matrix<double, 6, 1>, 2>> null_basis<2, 4>(
     const Eigen::Matrix<double, 4, 6>&);
 template std::optional<std::array<Eigen::Matrix<double, 7, 1>, 2>> null_basis<2, 5>(

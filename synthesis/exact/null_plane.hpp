@@ -16,6 +16,8 @@ std::optional<std::array<Eigen::Matrix<double, Rows + Dimension, 1>, Dimension>>
 
 extern template std::optional<std::array<Eigen::Matrix<double, 4, 1>, 1>> null_basis<1, 3>(
     const Eigen::Matrix<double, 3, 4>&);
+extern template std::optional<std::array<Eigen::Matrix<double, 5, 1>, 2>> null_basis<2, 3>(
+    const Eigen::Matrix<double, 3, 5>&);
 extern template std::optional<std::array<Eigen::Matrix<double, 6, 1>, 2>> null_basis<2, 4>(
     const Eigen::Matrix<double, 4, 6>&);
 extern template std::optional<std::array<Eigen::Matrix<double, 7, 1>, 2>> null_basis<2, 5>(

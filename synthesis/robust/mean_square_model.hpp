@@ -30,7 +30,7 @@ class MeanSquareModel final : public Model {
                  std::span<double> local) const override;
   void constraints(std::span<const double> x, std::span<double> c,
                    std::span<double> jacobian) const override {
-    samples_.constraints(x, c, jacobian);
+    samples_.constraints(x, {}, c, jacobian);
   }
 
  private:

@@ -1,6 +1,7 @@
 #include "synthesis/robust/perturbed_model.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace cognate::synthesis {
 
@@ -47,8 +48,8 @@ bool PerturbedModel::evaluate(std::span<const double> x, std::size_t number, boo
   return nominal_.residuals(at.moved, at.r, at.jacobian, at.local);
 }
 
-void PerturbedModel::constraints(std::span<const double> x, std::span<double> c,
-                                 std::span<double> jacobian) const {
+void PerturbedModel::nominal_constraints(std::span<const double> x, std::span<double> c,
+                                         std::span<double> jacobian) const {
   const auto n = static_cast<std::size_t>(nominal_.global_count());
   const auto rows = static_cast<std::size_t>(nominal_.constraint_count());
   if (rows == 0) return;
@@ -60,6 +61,38 @@ void PerturbedModel::constraints(std::span<const double> x, std::span<double> c,
     std::copy_n(narrow.begin() + static_cast<std::ptrdiff_t>(row * n), n,
                 jacobian.begin() + static_cast<std::ptrdiff_t>(row * x.size()));
   }
+}
+
+/// 1 − ‖r‖²/limit ≥ 0 for the design itself.
+void PerturbedModel::limit_sum(std::span<const double> x, double limit, double& c,
+                               std::span<double> row) const {
+  const auto n = static_cast<std::size_t>(nominal_.global_count());
+  const auto rows = static_cast<std::size_t>(nominal_.residual_count());
+  std::vector<double> r(rows), jacobian(row.empty() ? 0 : rows * n);
+  std::vector<double> local(row.empty() || nominal_.local_count() == 0 ? 0 : rows);
+  std::ranges::fill(row, 0.0);
+  c = -1;
+  if (!nominal_.residuals(x, r, jacobian, local)) return;
+  c = 1 - std::inner_product(r.begin(), r.end(), r.begin(), 0.0) / limit;
+  if (row.empty()) return;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double along = -2 * r[i] / limit;
+    for (std::size_t k = 0; k < n; ++k) row[k] += along * jacobian[i * n + k];
+    if (local.empty()) continue;
+    const int place = nominal_.local_of_residual()[i];
+    if (place >= 0) row[n + static_cast<std::size_t>(place)] += along * local[i];
+  }
+}
+
+void PerturbedModel::constraints(std::span<const double> x, const std::optional<double>& most,
+                                 std::span<double> c, std::span<double> jacobian) const {
+  const auto rows = static_cast<std::size_t>(nominal_.constraint_count());
+  const std::size_t columns = x.size();
+  nominal_constraints(x, c.first(rows),
+                      jacobian.empty() ? jacobian : jacobian.first(rows * columns));
+  if (!most) return;
+  limit_sum(x, *most, c[rows],
+            jacobian.empty() ? jacobian : jacobian.subspan(rows * columns, columns));
 }
 
 }  // namespace cognate::synthesis

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,12 +51,19 @@ class PerturbedModel {
   bool evaluate(std::span<const double> x, std::size_t number, bool differentiate,
                 Sample& at) const;
 
-  /// The constraints of the design itself, `jacobian` by all variables, local ones too.
-  void constraints(std::span<const double> x, std::span<double> c,
-                   std::span<double> jacobian) const;
+  /// The constraints of the design itself, `jacobian` by all variables, local ones too; last, where
+  /// there is a `most`, that the sum of squares of its residuals is no more.
+  int constraint_count(const std::optional<double>& most) const {
+    return nominal_.constraint_count() + (most ? 1 : 0);
+  }
+  void constraints(std::span<const double> x, const std::optional<double>& most,
+                   std::span<double> c, std::span<double> jacobian) const;
 
  private:
   void follow(Sample& at) const;
+  void nominal_constraints(std::span<const double> x, std::span<double> c,
+                           std::span<double> jacobian) const;
+  void limit_sum(std::span<const double> x, double limit, double& c, std::span<double> row) const;
 
   const Model& nominal_;
   const Perturbation& perturbation_;

@@ -49,10 +49,6 @@ QuantileModel::QuantileModel(const Model& nominal, const Perturbation& perturbat
   options_.scale.resize(stations, 1);
 }
 
-int QuantileModel::constraint_count() const {
-  return nominal_.constraint_count() + (options_.most_sum_of_squares ? 1 : 0);
-}
-
 QuantileModel::Made QuantileModel::made(std::span<const double> x, std::size_t number) const {
   PerturbedModel::Sample& at = samples_.memory();
   Made made;
@@ -132,37 +128,6 @@ bool QuantileModel::residuals(std::span<const double> x, std::span<double> r,
     if (weight > 0 && !add_gradient(x, all[rank], weight, jacobian)) return false;
   }
   return true;
-}
-
-/// 1 − ‖r‖²/limit ≥ 0 for the design itself.
-void QuantileModel::limit_sum(std::span<const double> x, double& c, std::span<double> row) const {
-  const auto n = static_cast<std::size_t>(nominal_.global_count());
-  const auto rows = static_cast<std::size_t>(nominal_.residual_count());
-  std::vector<double> r(rows), jacobian(row.empty() ? 0 : rows * n);
-  std::vector<double> local(row.empty() || nominal_.local_count() == 0 ? 0 : rows);
-  std::ranges::fill(row, 0.0);
-  c = -1;
-  if (!nominal_.residuals(x, r, jacobian, local)) return;
-  const double limit = *options_.most_sum_of_squares;
-  c = 1 - std::inner_product(r.begin(), r.end(), r.begin(), 0.0) / limit;
-  if (row.empty()) return;
-  for (std::size_t i = 0; i < rows; ++i) {
-    const double along = -2 * r[i] / limit;
-    for (std::size_t k = 0; k < n; ++k) row[k] += along * jacobian[i * n + k];
-    if (local.empty()) continue;
-    const int place = nominal_.local_of_residual()[i];
-    if (place >= 0) row[n + static_cast<std::size_t>(place)] += along * local[i];
-  }
-}
-
-void QuantileModel::constraints(std::span<const double> x, std::span<double> c,
-                                std::span<double> jacobian) const {
-  const auto rows = static_cast<std::size_t>(nominal_.constraint_count());
-  const std::size_t columns = x.size();
-  samples_.constraints(x, c.first(rows),
-                       jacobian.empty() ? jacobian : jacobian.first(rows * columns));
-  if (!options_.most_sum_of_squares) return;
-  limit_sum(x, c[rows], jacobian.empty() ? jacobian : jacobian.subspan(rows * columns, columns));
 }
 
 }  // namespace cognate::synthesis

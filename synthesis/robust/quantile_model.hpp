@@ -44,11 +44,15 @@ class QuantileModel final : public Model {
 
   std::span<const Variable> variables() const override { return nominal_.variables(); }
   int residual_count() const override { return 1; }
-  int constraint_count() const override;
+  int constraint_count() const override {
+    return samples_.constraint_count(options_.most_sum_of_squares);
+  }
   bool residuals(std::span<const double> x, std::span<double> r, std::span<double> jacobian,
                  std::span<double> local) const override;
   void constraints(std::span<const double> x, std::span<double> c,
-                   std::span<double> jacobian) const override;
+                   std::span<double> jacobian) const override {
+    samples_.constraints(x, options_.most_sum_of_squares, c, jacobian);
+  }
 
   /// The error of each sample, ascending; infinite where it has no value. The same for any number
   /// of threads.
@@ -61,7 +65,6 @@ class QuantileModel final : public Model {
   std::vector<Made> sorted(std::span<const double> x) const;
   bool add_gradient(std::span<const double> x, const Made& of, double weight,
                     std::span<double> gradient) const;
-  void limit_sum(std::span<const double> x, double& c, std::span<double> row) const;
 
   const Model& nominal_;
   PerturbedModel samples_;

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 namespace cognate::synthesis {
@@ -18,7 +19,7 @@ class Deadline {
 
   /// Whether it was cancelled, its time is over, or either.
   bool interrupted() const { return cancelled_ && cancelled_->load(); }
-  bool expired() const { return remaining() <= 0; }
+  bool expired() const { return std::isfinite(limit_) && remaining() <= 0; }
   bool reached() const { return interrupted() || expired(); }
   double remaining() const { return limit_ - spent(); }  ///< seconds, possibly infinite
   /// Seconds since construction.

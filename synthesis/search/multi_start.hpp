@@ -203,9 +203,12 @@ class MultiStart {
     }
   }
 
-  /// Reports how much of the present stage is done.
+  /// Reports how much of the present stage is done, by one thread at a time; what a round does more
+  /// than once does not take back what has been reported.
   void report(double part) const {
-    if (run_.progress) run_.progress(stage_.at(part), best_);
+    if (!run_.progress) return;
+    reported_ = std::max(reported_, stage_.at(part));
+    run_.progress(reported_, best_);
   }
 
   /// Of the candidates that there are, of which those within limits count, and the starts that led
@@ -267,6 +270,7 @@ class MultiStart {
   int best_since_ = 0;  ///< after how many starts the best was found
   double best_value_ = std::numeric_limits<double>::infinity();
   Shares stage_{0, 0};
+  mutable double reported_ = 0;
   mutable std::atomic<double> best_{std::numeric_limits<double>::infinity()};  ///< for progress
 };
 

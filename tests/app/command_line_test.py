@@ -215,7 +215,7 @@ class CommandLine(unittest.TestCase):
                 self.assertEqual(run("check", file, "--quiet").stdout, "")
                 document = json.loads(run("check", file, "--json").stdout)
                 self.assertTrue(document["valid"])
-                kind = {"chain": "path", "dwell": "function"}.get(file.parent.name, file.parent.name)
+                kind = {"chain": "path", "chain-function": "function", "dwell": "function"}.get(file.parent.name, file.parent.name)
                 if kind in ("function", "motion", "path"):
                     kind += "-generation"
                 self.assertEqual(document["problem"]["kind"], kind)
@@ -271,7 +271,7 @@ class CommandLine(unittest.TestCase):
             if read["kind"] not in problems:
                 continue
             listed = common | links | {"mechanism.type", "mechanism.pivot_d"}
-            beside = {"chain": " (chains)", "dwell": " (dwells)"}
+            beside = {"chain": " (chains)", "chain-function": " (chains)", "dwell": " (dwells)"}
             name = read["kind"] + beside.get(file.parent.name, "")
             listed |= {key["name"] for key in problems[name]["keys"]}
             for table in ("target", "mechanism", "bounds", "constraints", "solve"):

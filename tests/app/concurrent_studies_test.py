@@ -76,7 +76,8 @@ class ConcurrentStudies(unittest.TestCase):
             statuses.append(process.returncode)
             self.assertIn(process.returncode, (0, 2), errors)
             if process.returncode == 2:
-                self.assertRegex(errors, r"process \d+ on .* is running this study|begun with other input")
+                self.assertRegex(errors, r"(another process|process \d+ on .*) is running this study"
+                                         r"|begun with other input")
         return statuses
 
     def test_started_at_once(self):

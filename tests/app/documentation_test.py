@@ -22,8 +22,9 @@ BLOCK = re.compile(r"^```(\w*)\n(.*?)^```", re.DOTALL | re.MULTILINE)
 SAVED_AS = re.compile(r"[Ss]ave this as `([^`]+)`[^`]*```toml\n(.*?)```", re.DOTALL)
 
 # Which page has the keys of which part of `cognate list`.
-PAGE_OF_KIND = {"function-generation": "function-generation", "function-generation (dwells)": "dwells",
-                "motion-generation": "motion-generation",
+PAGE_OF_KIND = {"function-generation": "function-generation", "function-generation (chains)": "chain-functions",
+                "function-generation (dwells)": "dwells",
+                "leg": "legs", "motion-generation": "motion-generation",
                 "path-generation": "path-generation", "path-generation (chains)": "chains", "quick-return": "quick-return",
                 "straight-line": "straight-lines"}
 PAGES_OF_TABLES = {"common_tables": ["constraints"], "cam_tables": ["cams"], "cam_followers": ["cams"],
@@ -60,8 +61,10 @@ def anchors_of(page):
 def command_for(content):
     tables = tomllib.loads(content)
     if "base" in tables:
-        return "sweep"
-    return "analyze" if tables["kind"] in ("analysis", "gear", "machine") else "solve"
+        return ["sweep"]
+    if tables["kind"] in ("analysis", "gear", "machine"):
+        return ["analyze"]
+    return ["solve", "--time-limit", "3"]  # that a file runs is shown, not how good its answer is
 
 
 def run(folder, *words):
@@ -179,8 +182,9 @@ class Examples(unittest.TestCase):
                     # The base of a study is given as seen from its page.
                     placed = re.sub('^base = "', f'base = "{page.parent}/', content, flags=re.MULTILINE)
                     file.write_text(placed, encoding="utf-8")
-                    done = run(self.folder, command_for(content), file.name, "--quiet")
-                    self.assertEqual(done.returncode, 0, done.stderr)
+                    done = run(self.folder, *command_for(content), file.name, "--json")
+                    if json.loads(done.stdout)["status"] != "time-limit":
+                        self.assertEqual(done.returncode, 0, done.stderr)
                     ran += 1
         self.assertGreaterEqual(len(seen), 10)
         self.assertGreaterEqual(ran, 10)

@@ -4,18 +4,15 @@ Run as: dwell_test.py PROGRAM LIBRARY, the built program and the folder of libra
 """
 
 import cmath
-import json
 import math
 import pathlib
-import subprocess
 import sys
-import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from chain_test import Chain  # noqa: E402
+from written_files import command, solved  # noqa: E402
 
-PROGRAM = ""
 LIBRARY = pathlib.Path()
 
 # Enough to have one extreme between two neighbours; from there on it is refined.
@@ -85,22 +82,6 @@ def extremes(chain, output, start, span, samples=SAMPLES):
 def half_band(chain, output, start, span):
     low, high = extremes(chain, output, start, span)
     return (high - low) / 2
-
-
-def command(text, *arguments, name="problem.toml"):
-    """What the program says of a file with this text."""
-    with tempfile.TemporaryDirectory() as folder:
-        file = pathlib.Path(folder) / name
-        file.write_text(text)
-        return subprocess.run([PROGRAM, *arguments[:1], file, *arguments[1:]], capture_output=True,
-                              text=True, timeout=600)
-
-
-def solved(text):
-    done = command(text, "solve", "--json", "--quiet")
-    if done.returncode not in (0, 1):
-        raise AssertionError(done.stderr)
-    return json.loads(done.stdout)
 
 
 def library(name, starts):
@@ -275,5 +256,5 @@ type = "stephenson-3"
 
 
 if __name__ == "__main__":
-    PROGRAM, LIBRARY = sys.argv[1], pathlib.Path(sys.argv[2])
+    LIBRARY = pathlib.Path(sys.argv[2])
     unittest.main(argv=sys.argv[:1])

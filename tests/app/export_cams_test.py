@@ -461,13 +461,13 @@ class ExportCams(unittest.TestCase):
             (["--design", "0"], "--design: '0'"),
             (["--design", "2"], "there is no design 2; allowed is --design from 1 to 1"),
             (["--out", ""], "--out"),
-            (["--steps", "9"], "--steps: is for linkages; of a cam --curve and"),
+            (["--steps", "9"], "--steps: is for linkages; of a cam --curve,"),
             (["--dxf-version", "r13"], "--dxf-version: 'r13' is not possible; allowed is r12 or 2000"),
             (["--dxf-version", "r12"], "expected --format dxf with it"),
         ]:
             with self.subTest(options):
                 self.expect_refusal(self.refused(result, *options), part)
-        self.expect_refusal(self.refused(result, form="step"), "--format: 'step'", "dxf, svg or csv")
+        self.expect_refusal(self.refused(result, form="iges"), "--format: 'iges'", "dxf, svg, csv, step or stl")
         self.expect_refusal(self.refused(result, form="dot"), "--format: json, dot and toml are for linkages")
         self.expect_refusal(
             self.refused(result, "--parts", "--hole", "2", "--width", "5", form="dxf"),

@@ -279,7 +279,7 @@ class ExportGearsTest(unittest.TestCase):
         worm = self.result('kind = "gear-pair"\nmechanism = {gearing = "worm", wheel_teeth = 40, module = 4}\n', "worm")
         self.refused(worm, "no outline in a plane", "wheel_teeth")
         result = self.result(gear(35))
-        self.refused(result, "--format: dot", "dxf, svg, csv or json", form="dot")
+        self.refused(result, "--format: dot", "dxf, svg, csv, json, step or stl", form="dot")
         self.refused(result, "--curve: is for cams", options=("--curve", "pitch"))
         self.refused(result, "--position: is for linkages", options=("--position", 3))
         self.refused(result, "--parts: is for linkages", options=("--parts", "--hole", 1, "--width", 3))

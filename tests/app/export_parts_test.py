@@ -11,6 +11,7 @@ import sys
 import unittest
 import xml.etree.ElementTree
 
+from drawn_outlines import box, holds, outline_of
 from exported_linkages import distance_to_segment, ExportedLinkages, run
 
 try:
@@ -20,48 +21,6 @@ except ImportError:
 
 # Small enough for every linkage of the library, whose shortest link is this many times longer.
 HOLE_SHARE, WIDTH_SHARE = 0.25, 0.5
-
-
-def arc_points(start, end, bulge, count=24):
-    """Points of the arc of a DXF bulge, by its definition: tan of a quarter of the angle."""
-    if bulge == 0:
-        return [start]
-    a, b = complex(*start), complex(*end)
-    angle = 4 * math.atan(bulge)
-    centre = (a + b) / 2 + 1j * (b - a) / (2 * math.tan(angle / 2)) if abs(bulge) != 1 else (a + b) / 2
-    turn = [complex(math.cos(angle * i / count), math.sin(angle * i / count)) for i in range(count)]
-    return [((centre + (a - centre) * t).real, (centre + (a - centre) * t).imag) for t in turn]
-
-
-def outline_of(entity):
-    """The polygon of a closed polyline with bulges, or of a circle."""
-    if entity.dxftype() == "CIRCLE":
-        x, y, _ = entity.dxf.center
-        radius = entity.dxf.radius
-        return [
-            (x + radius * math.cos(i * math.pi / 36), y + radius * math.sin(i * math.pi / 36))
-            for i in range(72)
-        ]
-    points = [(x, y, bulge) for x, y, _, _, bulge in entity.get_points()]
-    polygon = []
-    for (x, y, bulge), (nx, ny, _) in zip(points, points[1:] + points[:1]):
-        polygon += arc_points((x, y), (nx, ny), bulge)
-    return polygon
-
-
-def box(polygon):
-    xs, ys = zip(*polygon)
-    return min(xs), min(ys), max(xs), max(ys)
-
-
-def holds(polygon, point):
-    """Whether a polygon holds a point: an odd number of its sides is passed on the way out."""
-    x, y = point
-    inside = False
-    for (ax, ay), (bx, by) in zip(polygon, polygon[1:] + polygon[:1]):
-        if (ay > y) != (by > y) and x < ax + (bx - ax) * (y - ay) / (by - ay):
-            inside = not inside
-    return inside
 
 
 class ExportParts(ExportedLinkages):
@@ -74,7 +33,7 @@ class ExportParts(ExportedLinkages):
 
     @unittest.skipIf(ezdxf is None, "ezdxf is not there")
     def test_parts_have_their_holes_at_the_lengths_of_the_links(self):
-        for result in self.results:
+        for result in self.plates:
             with self.subTest(result.name):
                 lengths = {link["name"]: link["lengths"] for link in self.document(result)["links"]}
                 sheet = json.loads(self.cut(result, "json").read_text())
@@ -96,7 +55,7 @@ class ExportParts(ExportedLinkages):
 
     @unittest.skipIf(ezdxf is None, "ezdxf is not there")
     def test_parts_keep_apart_and_hold_their_holes(self):
-        for result in self.results:
+        for result in self.plates:
             with self.subTest(result.name):
                 sheet = json.loads(self.cut(result, "json").read_text())
                 space = ezdxf.readfile(self.cut(result, "dxf")).modelspace()
@@ -165,7 +124,7 @@ class ExportParts(ExportedLinkages):
     def test_slots_are_as_long_as_the_stroke(self):
         """No shorter, as the pin would jam, against what the analysis tells of the output."""
         seen = 0
-        for result in self.results:
+        for result in self.plates:
             stroke = json.loads(result.read_text())["designs"][0]["metrics"].get("output_stroke")
             lengths = [math.dist(slot["from"], slot["to"]) for slot in self.slots(result)]
             if stroke is None or not lengths:
@@ -203,7 +162,7 @@ class ExportParts(ExportedLinkages):
 
     def test_labels_keep_off_holes_and_cuts(self):
         """Texts as boxes of 0.6 of their height for each letter, against all that is cut."""
-        for result in self.results:
+        for result in self.plates:
             with self.subTest(result.name):
                 document = json.loads(self.cut(result, "json").read_text())
                 root = xml.etree.ElementTree.parse(self.cut(result, "svg")).getroot()
@@ -222,7 +181,7 @@ class ExportParts(ExportedLinkages):
                             self.assertGreaterEqual(math.hypot(dx, dy), 0.5 * document["hole"])
 
     def test_names_of_parts_are_each_once(self):
-        for result in self.results:
+        for result in self.plates:
             with self.subTest(result.name):
                 document = json.loads(self.cut(result, "json").read_text())
                 for table in (document["pins"], *(part["holes"] for part in document["parts"])):
@@ -231,7 +190,7 @@ class ExportParts(ExportedLinkages):
 
     def test_every_place_is_named_in_the_drawing(self):
         """Also what lies at another's position, as C of a scotch yoke."""
-        for result in self.results:
+        for result in self.plates:
             with self.subTest(result.name):
                 root = xml.etree.ElementTree.parse(self.export(result, "svg")).getroot()
                 labels = [text.text for text in root.iter("{http://www.w3.org/2000/svg}text")]

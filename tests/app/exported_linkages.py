@@ -9,6 +9,7 @@ import tempfile
 import unittest
 
 PROGRAM, LIBRARY = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
+CYLINDERS = ("dump-body", "excavator-bucket")
 
 
 def run(*arguments, cwd=None):
@@ -36,7 +37,9 @@ class ExportedLinkages(unittest.TestCase):
             done = run("analyze", file, "--quiet", "--out", "results", cwd=cls.folder)
             assert done.returncode == 0, done.stderr
             cls.results.append(cls.folder / "results" / f"{file.stem}.result.json")
-        assert len(cls.results) >= 20, cls.results
+        # The rod and the barrel of a cylinder are no plates.
+        cls.plates = [result for result in cls.results if result.name.split(".")[0] not in CYLINDERS]
+        assert len(cls.plates) >= 20, cls.plates
 
     @classmethod
     def tearDownClass(cls):

@@ -15,7 +15,7 @@ import unittest
 
 PROGRAM = ""
 
-KINDS = ["analysis", "cam", "function-generation", "gear", "gear-pair", "gear-train", "machine", "motion-generation",
+KINDS = ["analysis", "cam", "function-generation", "gear", "gear-pair", "gear-train", "leg", "machine", "motion-generation",
          "path-generation", "quick-return", "straight-line", "study"]
 COMMANDS = {"analysis": "analyze", "gear": "analyze", "gear-train": "analyze", "machine": "analyze", "study": "sweep"}
 

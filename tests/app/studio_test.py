@@ -38,7 +38,7 @@ class StudioTest(Studios):
         names = [each for each in json.loads(re.search(
             r'id="data">(.*?)</script>', studio.ask("/")[2])[1])["templates"]]
         kinds = [each["name"] for each in names if each["name"].startswith("new/")]
-        self.assertEqual(len(kinds), 11)
+        self.assertEqual(len(kinds), 12)
         self.assertGreater(len(names), 60)
         for name in kinds:
             with self.subTest(name):

@@ -237,7 +237,7 @@ class AtTheTerminal(unittest.TestCase):
 
     def test_the_bar_shows_rate_and_time_left_and_is_wiped(self):
         terminal = Terminal("solve", self.write("endless.toml", ENDLESS), cwd=self.folder)
-        bar = terminal.read_until(r"\] +\d+ %  \d+:\d\d left, [0-9.]+ %/s")
+        bar = terminal.read_until(r"\] +\d+ %  search, \d+:\d\d left, [0-9.]+ %/s")
         self.assertIn("\r\x1b[K[", bar)
         os.kill(terminal.process, signal.SIGINT)
         lines = shown(terminal.read())

@@ -64,6 +64,12 @@ test("a landmark's button goes there, where the output stands still", () => visi
   assert.ok(Math.abs(number(speed)) < 0.005, speed);
 }));
 
+test("the facts have names of their own", () => visit("four-bar", still, async (page) => {
+  const names = await page.locator("#facts-list dt").allTextContents();
+  assert.ok(names.includes("Minimum transmission angle"), names.join("; "));
+  assert.deepEqual(names.filter((name) => /\w\.\w|_/.test(name)), []);
+}));
+
 test("the mechanism moves by itself, stops, and goes on", () => visit("four-bar", {}, async (page) => {
   const c = '.layer-pins [data-name="C"]';
   await moves(page, c);
@@ -216,8 +222,8 @@ test("the table is saved as CSV, gaps as empty cells", () => visit("four-bar-gap
   assert.match(lines[181], /,,/);
 }));
 
-test("a hundred links make a page below 1.1 MB", () => visit("hundred-links", still, async (page) => {
-  assert.ok(statSync(path.join(process.env.REPORTS, "analysis-hundred-links.html")).size < 1.1e6);
+test("a hundred links make a page below 1.12 MB", () => visit("hundred-links", still, async (page) => {
+  assert.ok(statSync(path.join(process.env.REPORTS, "analysis-hundred-links.html")).size < 1.12e6);
   await driveTo(page, 123.4);
   assert.equal(await page.locator(".layer-bodies .body").count(), 99);
   assert.match(await page.locator("#save-table").textContent(), /rows drawn/);

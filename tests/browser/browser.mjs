@@ -21,29 +21,63 @@ export function launch() {
   });
 }
 
-// Opens `file`; `faults` collects errors of the page and requests that leave it. `prepare(page)` comes before that, `hash` stands
-// behind the address.
-export async function open(browser, file, { size = "desktop", scheme = "light", motion = "no-preference", locale = "en-GB", prepare, hash = "" } = {}) {
+// A page of its own context; `faults` collects errors of what is opened in it and requests that leave that.
+async function newPage(browser, { size = "desktop", scheme = "light", motion = "no-preference", locale = "en-GB" }) {
   const context = await browser.newContext({ viewport: SIZES[size], colorScheme: scheme, reducedMotion: motion, locale,
     hasTouch: size === "phone", deviceScaleFactor: size === "phone" ? 2 : 1 });
-  const page = await context.newPage();
-  const faults = [];
-  const url = pathToFileURL(path.resolve(file)).href;
+  const opened = { page: await context.newPage(), faults: [], url: "", close: () => context.close() };
+  const { page, faults } = opened;
   page.on("console", (message) => { if (["error", "warning"].includes(message.type())) faults.push(message.text()); });
   page.on("pageerror", (error) => faults.push(String(error.stack ?? error)));
-  page.on("request", (request) => { if (request.url() !== url && !/^(data|blob):/.test(request.url())) faults.push(`request ${request.url()}`); });
-  await prepare?.(page);
-  await page.goto(url + hash);
-  return { page, faults, close: () => context.close() };
+  page.on("request", (request) => { if (request.url() !== opened.url && !/^(data|blob):/.test(request.url())) faults.push(`request ${request.url()}`); });
+  return opened;
 }
 
-// Runs `steps` on a fresh page of the report `name` in the folder REPORTS, and fails on any message
-// of the console or request.
-export async function visit(browser, name, options, steps) {
-  const { page, faults, close } = await open(browser, path.join(process.env.REPORTS, `${name}.html`), options);
-  await steps(page);
-  assert.deepEqual(faults, []);
-  await close();
+async function goTo(opened, file, hash = "") {
+  opened.url = pathToFileURL(path.resolve(file)).href;
+  await opened.page.goto(opened.url + hash);
+}
+
+// Opens `file`. `prepare(page)` comes before that, `hash` stands behind the address.
+export async function open(browser, file, { prepare, hash, ...options } = {}) {
+  const opened = await newPage(browser, options);
+  await prepare?.(opened.page);
+  await goTo(opened, file, hash);
+  return opened;
+}
+
+// A new context costs as much as loading a report: those without preparation are kept, one for each set of options.
+const kept = new Map();
+
+async function keptPage(browser, options) {
+  if (!kept.has(browser)) kept.set(browser, new Map());
+  const pages = kept.get(browser), key = JSON.stringify(options);
+  if (!pages.has(key)) pages.set(key, await newPage(browser, options));
+  return { opened: pages.get(key), drop: () => pages.delete(key) };
+}
+
+// Leaves nothing that the next visit could find: no page, no memory of it, no pointer over it.
+async function empty({ page }) {
+  await page.evaluate(() => localStorage.clear());
+  await page.goto("about:blank");
+  await page.mouse.move(0, 0);
+}
+
+// Runs `steps` on the report `name` in the folder REPORTS as if never opened before, and fails on any message of the console or
+// request.
+export async function visit(browser, name, options = {}, steps) {
+  const file = path.join(process.env.REPORTS, `${name}.html`), { prepare, hash, ...look } = options;
+  const { opened, drop } = prepare ? { opened: await open(browser, file, options), drop: () => {} } : await keptPage(browser, look);
+  try {
+    if (!prepare) await goTo(opened, file, hash);
+    await steps(opened.page);
+    assert.deepEqual(opened.faults, []);
+    await (prepare ? opened.close() : empty(opened));
+  } catch (error) {
+    drop();
+    await opened.close();
+    throw error;
+  }
 }
 
 // Waits until the circle that `selector` names has moved by more than a pixel, however slow the

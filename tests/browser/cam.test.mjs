@@ -4,7 +4,7 @@ import { after, before, test } from "node:test";
 import { LOOKS, assertFits, assertInked, launch, visit as visitReport } from "./browser.mjs";
 
 const ROLLERS = ["translating-roller", "oscillating-roller", "groove", "conjugate"];
-const NAMES = [...ROLLERS, "translating-flat", "translating-knife", "oscillating-flat", "constant-breadth"];
+const NAMES = [...ROLLERS, "translating-flat", "translating-knife", "oscillating-flat", "oscillating-knife", "constant-breadth"];
 const still = { motion: "reduce" };
 let browser;
 before(async () => { browser = await launch(); });
@@ -63,6 +63,28 @@ for (const name of ROLLERS) {
     }
   }));
 }
+
+test("the edge on the arm touches the cam wherever it stands", () => visit("oscillating-knife", still, async (page) => {
+  for (const held of ["frame", "cam"]) {
+    await page.locator(`[data-held=${held}]`).click();
+    for (const deg of [0, 50, 98, 240]) {
+      await driveTo(page, deg);
+      const left = await page.evaluate(() => {
+        const at = (part, p) => new DOMPoint(p.x, p.y).matrixTransform(part.getScreenCTM());
+        const [profile, edge] = [document.querySelector(".cam.first"), document.querySelector(".edge")];
+        const tip = at(edge, edge.getPointAtLength(0));
+        const length = profile.getTotalLength();
+        let least = Infinity;
+        for (let i = 0; i <= 1500; ++i) {
+          const q = at(profile, profile.getPointAtLength((length * i) / 1500));
+          least = Math.min(least, Math.hypot(q.x - tip.x, q.y - tip.y));
+        }
+        return least;
+      });
+      assert.ok(left < 0.8, `${left} pixels at ${deg}°, the ${held} held`);
+    }
+  }
+}));
 
 test("the wedge is as wide as the pressure angle", () => visit("translating-roller", still, async (page) => {
   await driveTo(page, 50);

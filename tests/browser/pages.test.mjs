@@ -420,13 +420,16 @@ for (const name of ["ellipse", "cam-translating-roller", "gear-pair"]) {
     const room = await page.evaluate(() => {
       const body = document.body.getBoundingClientRect();
       const outside = [...document.querySelectorAll("svg, canvas, table, dl, p")].filter((part) => part.checkVisibility() && !part.closest(".unseen, .u-over") && part.getBoundingClientRect().right > body.right + 1);
-      return { width: body.width, outside: outside.map((part) => part.className.baseVal ?? part.className ?? part.tagName), buttons: [...document.querySelectorAll(".controls, .picture-tools, .parts")].filter((part) => part.checkVisibility()).length };
+      return { width: body.width, outside: outside.map((part) => part.className.baseVal ?? part.className ?? part.tagName), buttons: [...document.querySelectorAll(".controls, .picture-tools, .parts, .pin-toggle, .edit-toggle")].filter((part) => part.checkVisibility()).length };
     });
     assert.ok(Math.abs(room.width - (182 / 25.4) * 96) < 1, `${room.width}`);
     assert.deepEqual(room.outside, []);
     assert.equal(room.buttons, 0);
+    // No value is broken between its letters for want of room.
+    const lines = await page.evaluate(() => [...document.querySelectorAll(".facts dd")].filter((part) => part.checkVisibility() && part.textContent.length < 32).map((part) => part.getBoundingClientRect().height / parseFloat(getComputedStyle(part).lineHeight)));
+    assert.ok(Math.max(...lines) < 3.5, `${Math.max(...lines)} lines`);
     const height = (297 - 26) / 25.4 * 96;
-    // The table of two gears goes on overleaf, row by row.
+    // The table of two gears is overleaf.
     const first = name === "gear-pair" ? ["#picture", "#legend"] : ["#picture", "#dimensions", "#legend"];
     const ends = await page.evaluate((parts) => parts.map((part) => document.querySelector(part).getBoundingClientRect().bottom), first);
     assert.ok(Math.max(...ends) < height, `${ends} do not fit the first page of ${height}`);

@@ -3,10 +3,11 @@
 //   node pictures.mjs PROGRAM LIBRARY OUTDIR [NAME...]
 // PNGs become a third as large where pngquant is installed.
 import { execFileSync, spawnSync } from "node:child_process";
-import { copyFileSync, existsSync, mkdirSync, mkdtempSync, rmSync } from "node:fs";
+import { copyFileSync, existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { launch, open } from "./browser.mjs";
+import { solidsPicture } from "./solids_picture.mjs";
 
 const [program, library, folder, ...wanted] = process.argv.slice(2);
 if (!folder) {
@@ -124,6 +125,21 @@ if (!wanted.length || wanted.includes("parts")) {
   execFileSync(program, ["export", path.join(scratch, "ten-point-ellipse.result.json"), "--format", "svg",
     "--parts", "--hole", "3", "--width", "8", "--thickness", "3", "--out", scratch, "--quiet"]);
   copyFileSync(path.join(scratch, "ten-point-ellipse.parts.svg"), path.join(folder, "parts.svg"));
+}
+// Those of Jansen's leg, packed on a sheet, with engraved names.
+if (!wanted.length || wanted.includes("sheet")) {
+  execFileSync(program, ["analyze", path.join(library, "analysis/jansen-leg.toml"), "--out", scratch, "--quiet"]);
+  execFileSync(program, ["export", path.join(scratch, "jansen-leg.result.json"), "--format", "svg", "--parts", "--hole", "2",
+    "--width", "6", "--kerf", "0.2", "--labels", "stroke", "--sheet", "120x90", "--gap", "2", "--out", scratch, "--quiet"]);
+  copyFileSync(path.join(scratch, "jansen-leg.parts.svg"), path.join(folder, "sheet.svg"));
+}
+// Klann's leg as solids.
+if (!wanted.length || wanted.includes("solids")) {
+  execFileSync(program, ["analyze", path.join(library, "analysis/klann-leg.toml"), "--out", scratch, "--quiet"]);
+  const made = execFileSync(program, ["export", path.join(scratch, "klann-leg.result.json"), "--format", "stl", "--length-unit", "cm",
+    "--parts", "--hole", "0.1", "--width", "0.2", "--thickness", "0.05", "--position", "30", "--chord-tolerance", "0.002",
+    "--out", scratch, "--json"], { encoding: "utf8" });
+  writeFileSync(path.join(folder, "solids.svg"), solidsPicture(JSON.parse(made), 10));
 }
 rmSync(scratch, { recursive: true });
 process.exit(faulty ? 1 : 0);

@@ -137,6 +137,11 @@ std::vector<SampleCam> sample_cams() {
                          ArmSide::leading,
                          {.base_radius = 40, .centre_distance = 110, .face_offset = 12}},
                         smooth(12 * kDegree)));
+  cams.push_back(sample("oscillating-knife",
+                        {FollowerType::oscillating_knife,
+                         ArmSide::leading,
+                         {.base_radius = 40, .centre_distance = 110, .arm = 95}},
+                        smooth(25 * kDegree)));
   cams.push_back(sample("groove",
                         {FollowerType::translating_roller,
                          ArmSide::trailing,

@@ -215,9 +215,11 @@ int main(int argc, char** argv) {
     if (!problem) return 1;
     write_computed(folder / ("train-" + file.path().stem().string() + ".html"), *problem);
   }
-  for (const char* name : {"function/log10", "function/log10-refined", "function/three-angle-pairs",
-                           "path/drop-of-any-size", "path/toleranced-ellipse",
-                           "path/ellipse-on-half-units", "cam/toleranced-roller"}) {
+  for (const char* name :
+       {"function/log10", "function/log10-refined", "function/three-angle-pairs",
+        "path/drop-of-any-size", "path/ellipse-in-two-layers", "path/toleranced-ellipse",
+        "path/ellipse-on-half-units", "cam/toleranced-roller", "cam/oscillating-roller-on-raster",
+        "quick-return/crank-rocker-on-millimetres"}) {
     const std::filesystem::path file = library / (std::string(name) + ".toml");
     const auto problem = read_task(file);
     if (!problem) return 1;

@@ -172,6 +172,18 @@ test("the raster stands beside the optimum without one and that rounded", () => 
   for (const id of ["raster", "choice", "findings", "work"]) assert.equal(await page.locator(`#${id}`).evaluate((card) => card.classList.contains("of-original")), true, id);
 }));
 
+test("cams and quick returns on a raster say what it costs", async () => {
+  for (const [name, measure, unit] of [["oscillating-roller-on-raster", "size", " mm"], ["crank-rocker-on-millimetres", "error_deg", "°"]]) {
+    await visit(browser, name, still, async (page) => {
+      const { facts } = await resultOf(page);
+      const rows = await page.locator("#raster-bars .contribution").evaluateAll((all) => all.map((row) => [Number(row.dataset.error), row.querySelector(".number").textContent]));
+      assert.deepEqual(rows.map(([value]) => value), ["continuous", "raster", "rounded"].map((of) => facts[`${of}_${measure}`]));
+      assert.ok(rows[1][1].endsWith(unit), rows[1][1]);
+      assert.equal(facts.raster_proven, true);
+    });
+  }
+});
+
 // A front as a robust search writes it: the designs of a result again, each with other figures.
 test("the front of a robust search chooses its designs", async () => {
   const text = fs.readFileSync(path.join(process.env.REPORTS, "toleranced-ellipse.html"), "utf8");

@@ -16,7 +16,7 @@ const leftInEnglish = (page) => page.evaluate(() => {
   const limits = (result.designs ?? []).flatMap(({ constraints = [] }) => constraints.map(({ name }) => name));
   const own = [result.problem?.title, study?.title, study?.base, ...limits, ...columns.flatMap(({ name }) => [name, name.replace("mechanism.", "")])].filter(Boolean)
     .sort((a, b) => b.length - a.length);
-  const names = /\b(?:[Cc]ognate|WebM|JSON|TOML|Shift|Ctrl|Delete|Sobol|Halton|Delaunay|English)\b/g;
+  const names = /\b(?:[Cc]ognate export --parts --bill|[Cc]ognate|WebM|JSON|TOML|Shift|Ctrl|Delete|Sobol|Halton|Delaunay|English)\b/g;
   const keys = /\b\w+(?:[._][\w[\]]+)+/g;
   const isEnglish = (text) => /[A-Za-z]{4}/.test(own.reduce((rest, name) => rest.replaceAll(name, ""), text).replace(keys, "").replace(names, ""));
   for (const part of document.querySelectorAll("wbr")) part.remove();

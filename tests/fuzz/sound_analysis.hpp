@@ -24,6 +24,7 @@ inline bool hangs_on_bodies_before(const Dyad<double>& dyad, int first) {
     bool operator()(const Rpr<double>& d) const { return check(d.block, d.pivot); }
     bool operator()(const Prp<double>& d) const { return check(d.first, d.second); }
     bool operator()(const Rpp<double>& d) const { return check(d.point, d.guide); }
+    bool operator()(const Cylinder<double>& d) const { return check(d.base, d.pivot); }
   };
   return std::visit(Visitor{before}, dyad);
 }

@@ -124,6 +124,16 @@ TEST(CamOracle, SwingingRoller) {
   compare(design, example(all, 2), -8, "xp", "yp");
 }
 
+// The profile for an edge is the pitch curve of the same example.
+TEST(CamOracle, SwingingKnife) {
+  CamProblem problem = swinging_roller();
+  problem.follower = cam::FollowerType::oscillating_knife;
+  problem.length(CamDimension::roller_radius).given = 0;
+  const auto design = only_design(problem);
+  const auto all = data();
+  compare(design, example(all, 2), 0, "x", "y");
+}
+
 TEST(CamOracle, PressureAngleAndCurvatureOfTheOffsetRoller) {
   int tested = 0;
   const auto design = only_design(offset_roller());

@@ -3,42 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <stdexcept>
 #include <string>
 
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/linkage/motion.hpp"
-#include "analysis/linkage/slider_crank_mobility.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
-#include "problems/read.hpp"
-#include "tests/support/folders.hpp"
+#include "tests/support/exact_functions.hpp"
 
 namespace cognate::problems::exact_function_test {
 namespace {
 
-FunctionProblem parsed(const std::string& text) {
-  const auto problem = parse_task(text);
-  if (!problem) throw std::invalid_argument(problem.error().front().message);
-  return std::get<FunctionProblem>(*problem);
-}
-
-FunctionProblem from_library(const char* name) {
-  const auto problem = read_task(std::filesystem::path(kLibraryFolder) / "function" / name);
-  if (!problem) throw std::invalid_argument(problem.error().front().message);
-  return std::get<FunctionProblem>(*problem);
-}
-
-std::string pairs_file(const std::string& rows, const std::string& more) {
-  return "kind = \"function-generation\"\n[target]\npairs_deg = " + rows + "\n" + more;
-}
-
-bool says(const Result& result, const std::string& part) {
-  return std::ranges::any_of(
-      result.notes, [&](const std::string& note) { return note.find(part) != std::string::npos; });
-}
+using namespace exact_functions;
 
 /// The rocker's angle from its start, by the analysis kernel in the design's own assembly.
 double output_of(const Design& design, double input) {
@@ -234,56 +211,6 @@ TEST(ExactFunction, DerivativesOfPairs) {
   EXPECT_GE(tested, 1);
 }
 
-TEST(ExactFunction, SliderCrankOfThreePlaces) {
-  const Result result = solve(from_library("slider-crank-pairs.toml"), {});
-  ASSERT_EQ(result.status, Status::solved);
-  ASSERT_EQ(result.designs.size(), 1U);
-  const Design& design = result.designs[0];
-  const auto& m = std::get<SliderCrank>(design.mechanism.description);
-  EXPECT_NEAR(m.crank, 40, 1e-6);
-  EXPECT_NEAR(m.coupler, 120, 1e-6);
-  EXPECT_NEAR(m.offset, 15, 1e-6);
-  EXPECT_EQ(design.origin, "exact:slider-crank-3");
-  EXPECT_LT(design.error.max, 1e-11);
-}
-
-// The slider goes the way that output_range says, in both senses, and through all five points.
-TEST(ExactFunction, SliderCrankOfFivePointsInBothSenses) {
-  for (const double range : {100.0, -100.0}) {
-    FunctionProblem problem = from_library("slider-crank-square.toml");
-    std::get<FunctionOfX>(problem.target).output_range = range;
-    const Result result = solve(problem, {});
-    ASSERT_EQ(result.status, Status::solved);
-    ASSERT_EQ(result.designs.size(), 3U);
-    for (const Design& design : result.designs) {
-      const auto& m = std::get<SliderCrank>(design.mechanism.description);
-      const double start = *design.metrics.input_start;
-      const double travel = *displacement(m, start + 60 * kDegree) - *displacement(m, start);
-      EXPECT_NEAR(travel, range, 0.1);
-      EXPECT_LT(design.error.max, 0.05);
-    }
-  }
-}
-
-TEST(ExactFunction, SliderCrankFamilies) {
-  const std::string head =
-      "kind = \"function-generation\"\n[target]\nfunction = \"x^2\"\ndomain = [0, 1]\n"
-      "input_range_deg = 60\noutput_range = 100\n";
-  const Result four = solve(
-      parsed(head + "precision_points = 4\n[mechanism]\ntype = \"slider-crank\"\n[constraints]\n"
-                    "transmission_angle_deg = [40, 140]\n"),
-      {});
-  ASSERT_EQ(four.status, Status::solved);
-  EXPECT_EQ(four.designs.front().origin, "exact:slider-crank-4");
-  ASSERT_FALSE(four.families.empty());
-  const Result three = solve(
-      parsed(head + "precision_points = 3\n[mechanism]\ntype = \"slider-crank\"\n[constraints]\n"
-                    "transmission_angle_deg = [40, 140]\nlink_ratio_max = 6\n"),
-      {});
-  ASSERT_EQ(three.status, Status::solved);
-  EXPECT_LT(three.designs.front().error.max, 1);
-}
-
 TEST(ExactFunction, NamesDegeneratePairs) {
   const Result rigid =
       solve(parsed(pairs_file("[[0, 10], [20, 30], [50, 60]]\n", "precision_points = 3\n")), {});
@@ -355,19 +282,6 @@ TEST(ExactFunction, EqualTurningThatNoParallelogramDoesIsNamed) {
   ASSERT_FALSE(opposite.designs.empty());
   const auto links = lengths(four_bar(opposite.designs.front()));
   EXPECT_LE(std::max(links.coupler, links.frame), 1000.000001);
-}
-
-TEST(ExactFunction, LinksAtTheLimitOfASliderComeLast) {
-  const Result result = solve(from_library("slider-crank-square.toml"), {});
-  ASSERT_EQ(result.designs.size(), 3U);
-  const auto ratio = [&](std::size_t i) {
-    const auto& m = std::get<SliderCrank>(result.designs[i].mechanism.description);
-    return std::max(m.crank, m.coupler) / std::min(m.crank, m.coupler);
-  };
-  EXPECT_LT(ratio(0), 10);
-  EXPECT_LT(ratio(1), 10);
-  EXPECT_GT(ratio(2), 1000);
-  EXPECT_TRUE(says(result, "Design 3: the longest link"));
 }
 
 // A crank of negative length is one that starts half a turn off: the start given is not kept.

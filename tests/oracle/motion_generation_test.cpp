@@ -199,6 +199,7 @@ TEST(MotionOracleTest, OscillatingBlockThroughTheGivenPivot) {
 TEST(MotionOracleTest, LibraryIsSolved) {
   for (const auto& entry :
        std::filesystem::directory_iterator(std::filesystem::path(kLibraryFolder) / "motion")) {
+    if (entry.path().stem() == "tipping-tray-robust") continue;  // robust_motion_test.cpp solves it
     const Result result = solved(entry.path().stem().string());
     EXPECT_EQ(result.status, Status::solved) << entry.path();
     if (entry.path().stem() == "eleven-poses") continue;  // records_test.cpp has its error

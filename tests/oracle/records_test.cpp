@@ -20,12 +20,12 @@ using problems::FunctionProblem;
 using problems::MotionProblem;
 using problems::PathProblem;
 
-/// Seeds per problem: 10 for paths, 2 for the many functions, unless the environment sets fewer
+/// Seeds per problem: 4 for paths, 2 for the many functions, unless the environment sets fewer
 /// (slow builds). `records 100` in the benchmarks tries a hundred of each.
 int seeds(const Record& record) {
   const char* text = std::getenv("COGNATE_TEST_SEEDS");
   if (text) return std::max(1, std::atoi(text));
-  return std::holds_alternative<PathProblem>(record.problem) ? 10 : 2;
+  return std::holds_alternative<PathProblem>(record.problem) ? 4 : 2;
 }
 
 /// The coupler point by the textbook's angles: law of cosines at B.

@@ -18,11 +18,12 @@ samples of numpy's own.
 Needs python3-numpy and python3-scipy.
 """
 
-import json
 import sys
 
 import numpy as np
 from scipy.optimize import least_squares
+
+from robust_designs import judge, variables_of
 
 TARGETS = np.array([20 + 10j, 17.66 + 15.142j, 11.736 + 17.878j, 5 + 16.928j, 0.60307 + 12.736j,
                     0.60307 + 7.2638j, 5 + 3.0718j, 11.736 + 2.1215j, 17.66 + 4.8577j])
@@ -131,28 +132,12 @@ def search(longest, starts, seed, sigma):
 
 def of_design(design):
     """The variables and the side of a design of a result."""
-    linkage = design["mechanism"]
-    pivot, other = (complex(*at) for at in linkage["fixed_pivots"])
-    lengths = [linkage[name] for name in ("crank", "coupler", "rocker")]
-    frame = other - pivot
-    x = np.array([pivot.real, pivot.imag, *np.log([*lengths, abs(frame)]), np.angle(frame),
-                  *linkage["coupler_point"], *np.radians(design["crank_deg"][:POINTS])])
-    return x, 1 if linkage["assembly"] == "open" else -1
-
-
-def judge(path, seed, pieces=20, count=50000):
-    with open(path, encoding="utf-8") as file:
-        designs = json.load(file)["designs"]
-    random = np.random.default_rng(seed)
-    for name, design in (("robust", designs[0]), ("nominal", designs[-1])):
-        x, side = of_design(design)
-        errors = np.concatenate([greatest_errors(x, side, count, random) for _ in range(pieces)])
-        print(f"{name}: 99 % quantile {np.quantile(errors, 0.99):.4f} of {errors.size} samples")
+    return variables_of(design, np.radians(design["crank_deg"][:POINTS]))
 
 
 def main():
     if sys.argv[1:] and sys.argv[1].endswith(".json"):
-        judge(sys.argv[1], int((sys.argv[2:] + ["7"])[0]))
+        judge(sys.argv[1], int((sys.argv[2:] + ["7"])[0]), of_design, greatest_errors)
         return
     longest, starts, seed = (int(word) for word in (sys.argv[1:] + ["30", "200", "2"][len(sys.argv) - 1:]))
     for name, sigma in (("robust", TOLERANCE / SIGMAS), ("nominal", 1e-4)):

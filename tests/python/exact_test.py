@@ -89,6 +89,20 @@ class MotionTest(unittest.TestCase):
             slider = points[:, 1] + one.output_start + 1j * one.offset
             np.testing.assert_allclose(abs(slider - pin), one.coupler, rtol=1e-9)
 
+    def test_slider_crank_points_of_an_offset(self):
+        points = np.array([[0, 0], [0.3, 0.4], [0.6, 0.9], [0.9, 1.2]])
+        for rows, given in ((points, {}), (points[:3], {"input_start": 0.4}),
+                            (points[:3], {"output_start": 2.0})):
+            found = [one for one in exact.slider_crank_points(rows, offset=0.1, **given)
+                     if one.outcome == "linkage"]
+            for one in found:
+                pin = one.crank * np.exp(1j * (rows[:, 0] + one.input_start))
+                slider = rows[:, 1] + one.output_start + 0.1j
+                np.testing.assert_allclose(abs(slider - pin), one.coupler, rtol=1e-9)
+            self.assertTrue(found or given)
+        with self.assertRaises(Exception):
+            exact.slider_crank_points(points, offset=0.1, input_start=0, output_start=0)
+
     def test_points_and_pivots(self):
         """Five points with both pivots given: 36 four-bars, complex ones among them."""
         points = BAR.curve(np.radians([10, 60, 120, 200, 290]))
@@ -123,6 +137,27 @@ class QuickReturnTest(unittest.TestCase):
             if "line" in given:
                 for one in found.designs:
                     self.assertAlmostEqual(one.mechanism.fixed_pivots[0][1], 2.0)
+
+    def test_rockers_at_a_limit(self):
+        """The rocker's angle from A to D, at the limit, by following it over the turn."""
+        make = exact.quick_return_rockers
+        by_frame = exact.quick_return_rockers_by_frame
+        for found, name, angle in (
+                (make(time_ratio=1.25, rocker=290, swing=0.6, outer_limit=1.5), "outer", 1.5),
+                (make(time_ratio=1.25, rocker=290, swing=0.6, inner_limit=2.1), "inner", 2.1),
+                (by_frame(time_ratio=1.5, rocker=75, frame=100, inner_limit=0.75 * np.pi), "inner",
+                 0.75 * np.pi)):
+            self.assertTrue(found.designs)
+            for one in found.designs:
+                points = one.mechanism.positions(np.array([one[name]]))
+                a, d = np.array(one.mechanism.fixed_pivots)
+                rocker, frame = points["C"][0] - d, d - a
+                cosine = rocker @ frame / np.linalg.norm(rocker) / np.linalg.norm(frame)
+                self.assertAlmostEqual(np.arccos(cosine), angle, places=9)
+                self.assertAlmostEqual(time_ratio(one.outer, one.inner),
+                                       1.5 if angle > 2.2 else 1.25, places=9)
+        with self.assertRaises(Exception):
+            make(time_ratio=1.2, rocker=1, swing=1, outer_limit=4)
 
     def test_sliders(self):
         for given in ({}, {"offset": 0.5}, {"crank": 1.45}, {"coupler": 3.0}):

@@ -121,6 +121,20 @@ class SameNumbersTest(InFolder):
             again.report()
         self.assertEqual(result.best.analyze().status, "solved")
 
+    def test_exports_take_every_option_of_the_command(self):
+        result = cognate.solve(LIBRARY / "gear-pair/standard.toml")
+        result.save()
+        program("export", "standard.result.json", "--format", "dxf", "--length-unit", "mm", "--bore", "8,10",
+                "--keyway", "--hub", "14,20", "--out", "there")
+        made = result.export("dxf", out=None, length_unit="mm", bore=[8, 10], keyway=True, hub=(14, 20))
+        self.assertEqual(list(made.texts.values()), [f.read_bytes() for f in pathlib.Path("there").iterdir()])
+        for wrong, message in [({"bores": 8}, "bores: is no option of an export; allowed are bearing, bill, bore,"),
+                               ({"keyway": "yes"}, "keyway: expected True or False"),
+                               ({"keyway": True}, "expected bore"), ({"bore": [1, 2, 3]}, "bore")]:
+            with self.assertRaises(cognate.ProblemError) as caught:
+                result.export("dxf", out=None, **wrong)
+            self.assertIn(message, str(caught.exception))
+
 
 class ResultTest(InFolder):
     @classmethod

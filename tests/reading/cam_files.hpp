@@ -34,6 +34,8 @@ inline std::string swinging(const std::string& type, const std::string& lengths,
 inline const std::string kArm =
     "base_radius = 25, centre_distance = 60, arm = 50, roller_radius = 8";
 
+inline const std::string kEdge = "base_radius = 25, centre_distance = 60, arm = 50";
+
 inline std::string with_motion(const std::string& motion) {
   return "kind = \"cam\"\nmotion = " + motion + "\nmechanism = {" + kGiven +
          "}\nfollower.type = \"translating-roller\"\n";

@@ -173,6 +173,27 @@ const std::vector<FaultCase> kFunctionCases = {
      {{4, 1, "unknown key \"crank\" in [mechanism]"},
       {9, 10, "has no meaning for a slider-crank"},
       {11, 9, "is Grashof's of a four-bar"}}},
+    {"OffsetBesideFivePoints",
+     "kind = \"function-generation\"\n[mechanism]\ntype = \"slider-crank\"\noffset = 1\n[target]\n"
+     "pairs = [[0, 1], [20, 2], [40, 4], [50, 5], [60, 7]]\nprecision_points = 5\n",
+     {{4, 10, "is given, but five conditions determine it; remove it or give fewer"}}},
+    {"OffsetBesideBothStarts",
+     "kind = \"function-generation\"\n[mechanism]\ntype = \"slider-crank\"\noffset = 1\n"
+     "input_start_deg = 3\noutput_start = 5\n[target]\n"
+     "pairs = [[0, 1], [20, 2], [40, 4]]\nprecision_points = 3\n",
+     {{6, 16, "is given, but 3 conditions and the offset leave only one start to be given"}}},
+    {"OffsetBesideFourPointsAndAStart",
+     "kind = \"function-generation\"\n[mechanism]\ntype = \"slider-crank\"\noffset = 1\n"
+     "output_start = 5\n[target]\npairs = [[0, 1], [20, 2], [40, 4], [60, 5]]\n"
+     "precision_points = 4\n",
+     {{5, 16, "is given, but 4 conditions and the offset leave no start to be given"}}},
+    {"OffsetOutsideItsBounds",
+     "kind = \"function-generation\"\n[mechanism]\ntype = \"slider-crank\"\noffset = 9\n[target]\n"
+     "pairs = [[0, 1], [20, 2], [40, 4]]\nprecision_points = 3\n[bounds]\noffset = [1, 2]\n",
+     {{4, 10, "is 9, outside its bounds; bounds.offset allows [1, 2]"}}},
+    {"OffsetOfAFourBar",
+     function("precision_points = 3\n[mechanism]\noffset = 1\n"),
+     {{9, 1, "unknown key \"offset\""}}},
     {"SliderCrankPairsInDegrees",
      "kind = \"function-generation\"\n[mechanism]\ntype = \"slider-crank\"\n[target]\n"
      "pairs_deg = [[0, 1], [20, 2], [40, 4]]\nprecision_points = 3\n",

@@ -225,7 +225,7 @@ const FaultCase kFaults[] = {
      "[0, 0]\n[mechanism.slider]\nslide = {through = [0, 1]}\npin = \"B\"\n[[mechanism.dyad]]\n"
      "type = \"RRR\"\njoins = [\"A\", \"B\"]\nlengths = [1, 1]\nnew = \"C\"\n[[link]]\nname = "
      "\"slider\"\nmass = 1\n",
-     {{3, 8, "a slider drives"}}},
+     {{3, 8, "a slider or a cylinder drives"}}},
     {"unknown_keys",
      equivalent("inertia = 1\nintertia = 2\n[motor]\ntorque = 1\nslip = 2\n[run]\nturns = 3\n"),
      {{4, 1, "did you mean \"inertia\""}, {7, 1, "\"slip\""}, {9, 1, "\"turns_max\""}}},
@@ -282,6 +282,27 @@ const FaultCase kFaults[] = {
     {"motor_numbers",
      equivalent("inertia = 1\n[motor]\ntorque = 1\nratio = 0\nefficiency = 1.1\ninertia = -1\n"),
      {{6, 9, "motor.ratio is 0"}, {7, 14, "motor.efficiency is 1.1"}, {8, 11, "inertia is -1"}}},
+    {"train_beside_ratio",
+     equivalent("inertia = 1\n[motor]\ntorque = 1\nratio = 2\nefficiency = 0.9\n"
+                "train = {mesh = [{gears = [\"a\", \"b\"], teeth = [20, 40]}], "
+                "input = [{member = \"a\"}], output = {member = \"b\"}}\n"),
+     {{6, 9, "motor.ratio is given beside motor.train"},
+      {7, 14, "motor.efficiency is given beside motor.train"}}},
+    {"train_without_folder",
+     equivalent("inertia = 1\n[motor]\ntorque = 1\ntrain = \"x.toml\"\n"),
+     {{6, 9, "motor.train names a file beside the problem file, but there is none"}}},
+    {"train_with_faults",
+     equivalent("inertia = 1\n[motor]\ntorque = 1\n[[motor.train.mesh]]\n"
+                "gears = [\"a\", \"b\"]\nteeth = [20, 2]\n"),
+     {{8, 14, "motor.train.mesh[1].teeth"}}},
+    {"train_output",
+     equivalent("inertia = 1\n[motor]\ntorque = 1\noutput = \"c\"\n"
+                "train = {mesh = [{gears = [\"a\", \"b\"], teeth = [20, 40]}], "
+                "input = [{member = \"a\"}]}\n"),
+     {{6, 10, "motor.output is \"c\", no shaft of the train"}}},
+    {"part_of_no_train",
+     equivalent("inertia = 1\n[motor]\ntorque = 1\nstate = \"1\"\n"),
+     {{6, 9, "motor.state is given without motor.train"}}},
     {"two_flywheels",
      equivalent("inertia = 1\n[flywheel]\ninertia = 2\nfluctuation = 0.1\n"),
      {{6, 15, "flywheel.fluctuation is given beside flywheel.inertia"}}},

@@ -285,6 +285,17 @@ const std::vector<FaultCase> kChainCases = {
      {{2, 9, "pivot is an integer; expected an array of tables [[pivot]]"},
       {3, 9, "dyad[1] is an integer; expected a table"},
       {7, 6, "has \"A\", which is no point"}}},
+    {"CylinderNeedsPivotsApartAndLengths",
+     "kind = \"analysis\"\nmechanism.type = \"chain\"\npivot = [{name = \"A\", at = [0, 0]}]\n"
+     "cylinder = {at = \"A\", about = \"A\", pin = \"P\", length = 1}\n"
+     "[drive]\nstart = 0\nend = 2\n",
+     {{4, 31, "so that the cylinder's length does not turn the link"},
+      {6, 9, "drive.start is 0, as the length of the cylinder; expected one above 0"}}},
+    {"CylinderIsOneDrive",
+     "kind = \"analysis\"\nmechanism.type = \"chain\"\npivot = [{name = \"A\", at = [0, 0]}]\n"
+     "slider = {slide = {through = [0, 0]}, pin = \"B\"}\n"
+     "cylinder = {at = \"A\", about = \"A\", pin = \"P\", length = 1}\n",
+     {{5, 12, "cylinder is given beside slider"}}},
     {"DrivingSliderWantsLengths",
      "kind = \"analysis\"\nmechanism.type = \"chain\"\npivot = [{name = \"D\", at = [4, 0]}]\n"
      "slider = {slide = {through = [0, 0]}, pin = \"B\"}\n"

@@ -144,10 +144,35 @@ TEST(StraightLineLibrary, ParallelCranksReachThePublishedLengths) {
 TEST(StraightLineLibrary, SliderCrankHasTheSamePoint) {
   const Result result = solve_file("slider-crank");
   ASSERT_FALSE(result.designs.empty());
+  int limits = 0, across = 0;
   for (const Design& design : result.designs) {
-    EXPECT_NEAR(std::abs(coupler_point(design).x), 4.5, 1e-12);
     EXPECT_EQ(design.mechanism.type(), MechanismType::slider_crank);
+    if (design.origin == "exact:inflection-line") {
+      // As far over the slider's pin as the crank is long, level with the crank's pin.
+      EXPECT_NEAR(norm(coupler_point(design) - Vec2d{3, 0}), 2, 1e-12);
+      ++across;
+    } else {
+      EXPECT_NEAR(std::abs(coupler_point(design).x), 4.5, 1e-12);
+      ++limits;
+    }
+    EXPECT_EQ(quantity(design, "contact_points"), 4);
   }
+  EXPECT_GE(limits, 1);
+  EXPECT_EQ(across, 4);  // two positions of two assemblies
+}
+
+TEST(StraightLine, ASliderCrankWithItsPoleAtInfinity) {
+  const std::string slider = "type = \"slider-crank\"\ncrank = 2\ncoupler = 3\noffset = 0.5\n";
+  for (const int contact : {3, 4}) {
+    const Result result = solve_text(slider + "assembly = \"open\"\ncrank_deg = 90", contact);
+    ASSERT_EQ(result.designs.size(), 1U);
+    EXPECT_EQ(result.designs[0].origin, "exact:inflection-line");
+    EXPECT_EQ(quantity(result.designs[0], "contact_points"), 4);
+    EXPECT_GT(quantity(result.designs[0], "straight_length_at_0_001"), 0.5);
+    EXPECT_GT(quantity(result.designs[0], "straight_length_at_0_01"), 1);
+  }
+  EXPECT_EQ(solve_text(slider + "crank_deg = 90", 5).status, Status::no_solution);
+  EXPECT_EQ(solve_text(slider, 4).designs.size(), 4U);
 }
 
 TEST(StraightLine, AllPositionsOfACrankRockerComeBack) {
@@ -189,7 +214,7 @@ TEST(StraightLine, WhatHasNoneIsReportedWithTheReason) {
   expect_none("frame = 9\ncrank = 1\ncoupler = 3\nrocker = 1\ncrank_deg = 50", 4, "assembled");
   expect_none("frame = 4\ncrank = 1\ncoupler = 3\nrocker = 2.5\ncrank_deg = 50", 5, "four points");
   expect_none("type = \"slider-crank\"\ncrank = 1\ncoupler = 3\ncrank_deg = 50", 4, "slider");
-  expect_none("type = \"slider-crank\"\ncrank = 1\ncoupler = 3\noffset = 0.5", 4, "limit position");
+  expect_none("type = \"slider-crank\"\ncrank = 1\ncoupler = 3\noffset = 0.5", 5, "limit position");
   expect_none("frame = 9\ncrank = 1\ncoupler = 3\nrocker = 1", 5, "cannot be assembled at any");
   expect_none("frame = 2\ncrank = 2\ncoupler = 1\nrocker = 1", 5, "No position");
 }

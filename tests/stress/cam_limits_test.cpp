@@ -124,6 +124,21 @@ TEST(CamStress, CornersAndCusps) {
   }
 }
 
+// An arm's edge follows corners of constant velocity, outward and hollow.
+TEST(CamStress, CornersUnderASwingingEdge) {
+  for (const double over : {90.0, 10.0}) {
+    CamProblem problem = oscillating_roller(40, 80, 60, 0);
+    problem.follower = cam::FollowerType::oscillating_knife;
+    problem.motion = {segment(MotionLaw::constant_velocity, over, 0.05),
+                      segment(MotionLaw::constant_velocity, over, -0.05),
+                      segment(MotionLaw::dwell, 360 - 2 * over)};
+    const auto result = solve(problem, {.threads = 1});
+    expect_finite(result);
+    ASSERT_EQ(result.designs.size(), 1U);
+    EXPECT_EQ(result.status, problems::Status::solved) << over;
+  }
+}
+
 // Many short waves: each is a scaled copy of one, so are the extremes.
 TEST(CamStress, ManySegments) {
   constexpr int kWaves = 5'000;

@@ -40,6 +40,7 @@ SANITIZER = re.compile(r"Sanitizer|runtime error|Assertion|terminate called")
 NOT_FINITE = re.compile(r"(?<![\w.])[-+]?(?:nan|inf|infinity)(?![\w.])", re.IGNORECASE)
 FORMATS = ["dxf", "svg", "csv", "json", "dot"]
 PARTS = ["--parts", "--hole", "0.1", "--width", "0.3"]
+CUTS = ["--kerf", "0.02", "--labels", "stroke", "--sheet", "40x40", "--thickness", "0.1", "--spacers"]
 COMMANDS = {"analysis": "analyze", "machine": "analyze", "gear": "analyze", "gear-pair": "solve", "study": "sweep"}
 HANG = 120
 
@@ -217,7 +218,8 @@ class Runner:
 
     def exports(self, out, result, rng):
         chosen = [["--format", name] for name in FORMATS]
-        chosen += [["--format", name, *PARTS] for name in ("dxf", "svg", "json")]
+        for name in ("dxf", "svg", "json"):
+            chosen += [["--format", name, *options] for options in (PARTS, PARTS + CUTS, ["--kerf", "0.02", "--bore", "0.2"])]
         source = result or next(out.glob("*.study.db"), None)
         if source is None:
             return

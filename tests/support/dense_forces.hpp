@@ -58,6 +58,10 @@ class DenseBalance {
     for (std::size_t j = 0; j < list_.joints.size(); ++j) add_joint(list_.joints[j], 2 * j);
     if (std::holds_alternative<DrivingSlider<double>>(mechanism.drive)) {
       add(1, bodies_[1].direction, bodies_[1].origin[0], T(0), unknowns - 1);
+    } else if (std::holds_alternative<DrivingRod<double>>(mechanism.drive)) {
+      // The oil pushes the rod and, the other way, the cylinder.
+      add(1, bodies_[2].direction, bodies_[1].origin[0], T(0), unknowns - 1);
+      add(2, T(-1) * bodies_[2].direction, bodies_[1].origin[0], T(0), unknowns - 1);
     } else {
       add(1, {T(0), T(0)}, {T(0), T(0)}, T(1), unknowns - 1);
     }

@@ -18,13 +18,14 @@ class ChainMaker {
 
   static constexpr double kStart = 0.7;
 
-  /// `drive`: 0 crank, 1 driving slider, 2 floating link. Dyads by `types`, 0…4: RRR, RRP, RPR,
-  /// PRP, RPP.
+  /// `drive`: 0 crank, 1 driving slider, 2 floating link, 3 driving cylinder, which is the first
+  /// dyad. Those after it by `types`, 0…4: RRR, RRP, RPR, PRP, RPP.
   Mechanism<double> make(int drive, const std::vector<int>& types) {
     mechanism_ = {};
     if (drive == 0) mechanism_.drive = Crank<double>{point(), size()};
     if (drive == 1) mechanism_.drive = DrivingSlider<double>{guide(0)};
     if (drive == 2) mechanism_.drive = floating_link();
+    if (drive == 3) add_cylinder();
     for (const int type : types) add(type);
     return mechanism_;
   }
@@ -49,6 +50,15 @@ class ChainMaker {
     FloatingLink<double> link{guide(0), guide(0), size()};
     link.second.direction = link.first.direction * Vec2d{0.3, std::sqrt(1 - 0.09)};
     return link;
+  }
+
+  void add_cylinder() {
+    const Vec2d base = point(), pivot = point();
+    const double frame = std::sqrt(squared_norm(pivot - base));
+    const double least = std::abs(frame - kStart), most = frame + kStart;
+    const double link = least + uniform(0.2, 0.8) * (most - least);
+    mechanism_.drive = DrivingRod<double>{};
+    mechanism_.dyads = {Cylinder<double>{{0, base}, {0, pivot}, link, assembly()}};
   }
 
   /// The position of the mechanism so far.
@@ -110,6 +120,7 @@ inline Mechanism<double> scaled(Mechanism<double> mechanism, double unit) {
   const auto scale = [&](auto& part) {
     if constexpr (requires { part.pivot.x; }) scale_point(part.pivot);
     if constexpr (requires { part.pivot.at; }) scale_point(part.pivot.at);
+    if constexpr (requires { part.base.at; }) scale_point(part.base.at);
     if constexpr (requires { part.block.at; }) scale_point(part.block.at);
     if constexpr (requires { part.point.at; }) scale_point(part.point.at);
     if constexpr (requires { part.first.at; }) scale_point(part.first.at);

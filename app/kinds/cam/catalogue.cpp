@@ -36,13 +36,18 @@ constexpr Entry kOscillatingFlat[] = {
     {"base_radius", "minimum distance of the face from the cam's centre"},
     {"centre_distance", "of the follower's pivot from the cam's centre"},
     {"face_offset", "by how much the face lies nearer to the cam than its pivot (default 0)"}};
+constexpr Entry kOscillatingKnife[] = {
+    {"base_radius", "minimum distance of the edge from the cam's centre"},
+    {"centre_distance", "of the follower's pivot from the cam's centre"},
+    {"arm", "from the pivot to the edge; in [mechanism] or [follower]"}};
 
 constexpr KeyedEntry kFollowers[] = {
     {"translating-roller", "a roller on a slide", kTranslatingRoller},
     {"translating-flat", "a face square to its slide", kTranslatingFlat},
     {"translating-knife", "an edge on a slide", kTranslatingKnife},
     {"oscillating-roller", "a roller on a swinging arm", kOscillatingRoller},
-    {"oscillating-flat", "a swinging face", kOscillatingFlat}};
+    {"oscillating-flat", "a swinging face", kOscillatingFlat},
+    {"oscillating-knife", "an edge on a swinging arm", kOscillatingKnife}};
 
 constexpr Entry kFollower[] = {
     {"type", "one of the followers above"},

@@ -51,7 +51,7 @@ std::string placed(const CamDesign& design, const std::string& name) {
 
 /// Whether the follower has a roller, and the cam a prime circle beside its base circle.
 bool rolls(const CamProblem& problem) {
-  return problem.length(problems::CamDimension::roller_radius).used;
+  return problem.length(problems::CamDimension::roller_radius).used && !is_knife(problem.follower);
 }
 
 void add_lengths(const CamProblem& problem, DesignTable<CamDesign>& columns) {
@@ -68,7 +68,8 @@ void add_lengths(const CamProblem& problem, DesignTable<CamDesign>& columns) {
        {"arm", &D::arm},
        {"face offset", &D::face_offset}}};
   for (std::size_t i = 0; i < lengths.size(); ++i) {
-    if (!problem.lengths[i].used) continue;
+    const bool rolling = i == static_cast<std::size_t>(problems::CamDimension::roller_radius);
+    if (!problem.lengths[i].used || (rolling && !rolls(problem))) continue;
     columns.add(
         std::string(lengths[i].heading) + " [length]", Align::right, [&](const CamDesign& design) {
           return fmt::format("{:.6g}", design.cam.system.follower.dimensions.*lengths[i].value);

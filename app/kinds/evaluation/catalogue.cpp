@@ -1,3 +1,4 @@
+#include "app/documents/layers_catalogue.hpp"
 #include "app/documents/mechanism_catalogue.hpp"
 #include "app/kinds/evaluation/kind.hpp"
 
@@ -53,6 +54,12 @@ constexpr Metric kAnalysisMetrics[] = {
     {"cusps", "1", "of the coupler curve on its circuit (curve)"},
     {"double_points", "1", "where that crosses itself (curve)"},
     {"inflections", "1", "of it (curve)"},
+    {"duty", "1", "share of the turn in which the foot stands (foot)"},
+    {"stride", "length", "extent of its path along the ground in stance (foot)"},
+    {"step_height", "length", "extent of its path across the ground over the turn (foot)"},
+    {"flatness", "1", "its greatest height above the ground in stance over the stride (foot)"},
+    {"foot_speed_min, foot_speed_max", "1", "of the foot in stance over its mean speed (foot)"},
+    {"stance_from_deg", "deg", "crank angle at which the stance begins (foot)"},
     {"torque_N_m.min", "N m", "minimum driving torque, with the crank angle as min_at_deg"},
     {"torque_N_m.max", "N m", "maximum driving torque, with the crank angle as max_at_deg"},
     {"torque_N_m.abs_max", "N m",
@@ -70,8 +77,8 @@ constexpr Metric kAnalysisMetrics[] = {
      "the crank angle there; reaction_max_at: displacement"},
     {"reaction_max_unbounded_at_deg.P_on_LINK", "deg",
      "instead of both: the dead or change point near which it grows without bound"},
-    {"layers.count", "1", "fewest layers above the frame in which links pass each other (layers)"},
-    {"layers.pin_crossings", "1", "layers that pins cross without holding a link there (layers)"},
+    kLayersMetrics[0],
+    kLayersMetrics[1],
     {"closure_residual", "1", "maximum gap at a joint over the size of the mechanism"},
     {"power_residual", "1", "torque of the reactions less that of virtual work, over its maximum"},
     {"defects", "", "always empty for an analysis"}};

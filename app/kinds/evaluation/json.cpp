@@ -3,9 +3,10 @@
 #include <variant>
 
 #include "app/documents/json_values.hpp"
+#include "app/documents/layers_json.hpp"
 #include "app/documents/tolerance_json.hpp"
+#include "app/export/stacked_parts.hpp"
 #include "app/kinds/evaluation/kind.hpp"
-#include "app/kinds/evaluation/layers.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/evaluation/output_travel.hpp"
 
@@ -95,6 +96,16 @@ ordered_json Kind<AnalysisProblem>::design_json(const AnalysisProblem& problem,
   if (result.tolerance) table["tolerance"] = tolerance_json(*result.tolerance);
   if (result.layers) table["layers"] = layers_json(*result.layers, drive_slides(problem));
   return table;
+}
+
+ordered_json Kind<AnalysisProblem>::report_data(const AnalysisProblem& problem,
+                                                const AnalysisResult& result) {
+  ordered_json data = analysis_report_data(problem, result);
+  if (!result.layers) return data;
+  LinkageScene scene{.problem = problem, .layers = problem.layers};
+  scene.problem.layers.reset();
+  data["bill"] = bill_for_page(scene);
+  return data;
 }
 
 void Kind<AnalysisProblem>::add_findings(ordered_json& document, const AnalysisProblem& problem,

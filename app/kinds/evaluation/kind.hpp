@@ -42,9 +42,7 @@ struct Kind<problems::AnalysisProblem>
                            const Screen& screen);
   static std::string csv(const problems::AnalysisProblem& problem, const Result& result);
   static std::string page(const problems::AnalysisProblem& problem);
-  static Json report_data(const problems::AnalysisProblem& problem, const Result& result) {
-    return analysis_report_data(problem, result);
-  }
+  static Json report_data(const problems::AnalysisProblem& problem, const Result& result);
   static problems::MetricNames metric_names(const problems::AnalysisProblem& base);
   static std::vector<ListSection> sections();
   static std::vector<MetricList> metric_lists();

@@ -8,6 +8,7 @@
 #include "app/study/design_values.hpp"
 #include "app/study/metrics.hpp"
 #include "problems/evaluation/curve_metrics.hpp"
+#include "problems/linkage/gait_quantities.hpp"
 
 namespace cognate::app {
 namespace {
@@ -49,9 +50,15 @@ void add_reactions(MetricNames& names, AnalysisProblem base) {
   }
 }
 
+bool is_of_gait(const std::string& name) {
+  static const auto all = problems::gait_quantities({});
+  return std::ranges::find(all, name, &problems::Quantity::name) != all.end();
+}
+
 /// Whether the mechanism of `base` has what `name` stands for: measures of a coupler curve are of
-/// four-bars, and only those of links need no point that traces it.
+/// four-bars, and only those of links need no point that traces it; those of a gait need a foot.
 bool has(const AnalysisProblem& base, const std::string& name) {
+  if (is_of_gait(name)) return base.output.foot.has_value();
   const auto* measure = problems::find_curve_metric(name);
   if (!measure) return true;
   const FourBar* linkage = base.mechanism.four_bar();
@@ -80,8 +87,10 @@ std::vector<problems::Quantity> quantities_of_curve(const AnalysisProblem& probl
 }
 
 /// The quantities of the motion need no column but those of forces.
-problems::AnalysisOutput needed_output(const Names& names) {
+problems::AnalysisOutput needed_output(const Names& names, const problems::AnalysisOutput& of) {
   problems::AnalysisOutput output = no_columns();
+  output.foot = of.foot;
+  output.duty = of.duty;
   output.reactions = any_starts(names, {"reaction_max", "power_residual"});
   output.torque = any_starts(names, {"torque_N_m", "drive_force_N", "power_residual"});
   return output;
@@ -112,7 +121,7 @@ MetricNames Kind<AnalysisProblem>::metric_names(const AnalysisProblem& base) {
 Evaluated Kind<AnalysisProblem>::evaluate(const AnalysisProblem& problem, const Names& names,
                                           const problems::Run& run) {
   AnalysisProblem asked = problem;
-  asked.output = needed_output(names);
+  asked.output = needed_output(names, problem.output);
   if (!any_starts(names, {"tolerance_"})) asked.tolerances.reset();
   if (!any_starts(names, {kOfLayers})) asked.layers.reset();
   const auto result = problems::analyse(asked, run);

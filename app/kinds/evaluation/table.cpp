@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "app/console/layers_table.hpp"
 #include "app/console/messages.hpp"
 #include "app/console/paint.hpp"
 #include "app/console/table_text.hpp"
@@ -13,7 +14,6 @@
 #include "app/documents/csv.hpp"
 #include "app/kinds/basics/quantity_table.hpp"
 #include "app/kinds/evaluation/kind.hpp"
-#include "app/kinds/evaluation/layers.hpp"
 #include "app/report/filled_page.hpp"
 #include "app/report/page.hpp"
 #include "problems/basics/degrees.hpp"

@@ -39,25 +39,11 @@ constexpr Entry kFunction[] = {
     {"mechanism.input_start_deg", "input angle at the start, from A to D; free by default"},
     {"mechanism.output_start_deg", "output angle at the start; free by default"},
     {"mechanism.output_start", "of a slider-crank: displacement at the start"},
+    {"mechanism.offset", "of a slider-crank: of its slide line; free by default"},
+    {"bounds.offset", "of a slider-crank: [min, max]"},
     {"mechanism.start",
      "\"free\" (default), \"outer-dead-centre\" or \"inner-dead-centre\" of the output"},
     {"solve.best_by", "order of exact designs: \"transmission\" or \"error\""}};
-
-ordered_json rounded_degrees(const std::vector<double>& angles) {
-  ordered_json list = ordered_json::array();
-  for (const double angle : angles) {
-    list.push_back(round_to_digits(kDegreesInRadian * angle, kDrawnDigits));
-  }
-  return list;
-}
-
-ordered_json trace_json(const FunctionTrace& trace) {
-  ordered_json x = ordered_json::array();
-  for (const double value : trace.x) x.push_back(round_to_digits(value, kDrawnDigits));
-  return {{"x", trace.x.empty() ? ordered_json(nullptr) : x},
-          {"crank_deg", rounded_degrees(trace.crank)},
-          {"error_deg", rounded_degrees(trace.error)}};
-}
 
 ordered_json pairs_json(const std::vector<synthesis::AnglePair>& pairs) {
   ordered_json list = ordered_json::array();

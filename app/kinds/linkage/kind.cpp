@@ -4,9 +4,12 @@
 
 #include <algorithm>
 
+#include "app/documents/layers_catalogue.hpp"
 #include "app/documents/mechanism_catalogue.hpp"
 #include "app/documents/tolerance_catalogue.hpp"
+#include "app/export/stacked_parts.hpp"
 #include "app/study/metrics.hpp"
+#include "problems/linkage/design_layers.hpp"
 #include "problems/mechanism/dimensions.hpp"
 
 namespace cognate::app {
@@ -33,6 +36,7 @@ MetricNames linkage_metric_names() {
   MetricNames names;
   add_metrics(names, metrics());
   add_metrics(names, kToleranceMetrics);
+  add_metrics(names, kLayersMetrics);
   add_metrics(names,
               study_extras().first(study_extras().size() - 2));  // the last two stand for many
   add_metrics(names, quantities(), "facts.");
@@ -58,6 +62,22 @@ void add_size(nlohmann::ordered_json& metrics, const problems::NamedMechanism& m
       std::ranges::minmax(main_dimensions(mechanism), {}, &problems::Dimension::value);
   metrics["longest_link"] = longest.value;
   metrics["link_ratio"] = longest.value / shortest.value;
+}
+
+void add_bills(const problems::Result& result, const problems::LayerSizes& sizes,
+               nlohmann::ordered_json& data) {
+  constexpr std::size_t kMostBills = 10;
+  const std::size_t count = std::min(result.designs.size(), kMostBills);
+  for (std::size_t i = 0; i < count; ++i) {
+    const problems::Design& design = result.designs[i];
+    const auto span = motion_span(design);
+    if (!span || !design.layers) continue;
+    LinkageScene scene{.round = span->round, .beyond = !span->round, .layers = sizes};
+    scene.problem.mechanism = design.mechanism;
+    scene.problem.drive.start = span->from;
+    scene.problem.drive.end = span->to;
+    data["designs"][i]["bill"] = bill_for_page(scene);
+  }
 }
 
 }  // namespace cognate::app

@@ -1,6 +1,7 @@
 /// @file What the program does alike with all kinds that design a linkage.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,6 +24,10 @@ problems::MetricNames chain_metric_names(std::span<const problems::Topology> top
 
 /// The size of a design that is a four-bar, among its metrics.
 void add_size(nlohmann::ordered_json& metrics, const problems::NamedMechanism& mechanism);
+
+/// Adds to each of the first designs of a page's data the bill of its parts.
+void add_bills(const problems::Result& result, const problems::LayerSizes& sizes,
+               nlohmann::ordered_json& data);
 
 /// Why `cognate analyze` takes no problem of these kinds.
 inline constexpr const char* kDesignsLinkage =
@@ -57,9 +62,14 @@ struct LinkageKind : KindBase<Problem, problems::Result> {
     add_linkage_findings(document, result);
   }
 
-  static Evaluated evaluate(const Problem& problem, const std::vector<std::string>& /*names*/,
+  /// Without a limit of layers those are looked at only where a name asks for them.
+  static Evaluated evaluate(const Problem& problem, const std::vector<std::string>& names,
                             const problems::Run& run) {
-    const Result result = solve(problem, run);
+    Problem asked = problem;
+    const auto of_layers = [](const std::string& name) { return name.starts_with("layers."); };
+    const bool is_limited = asked.layers && asked.layers->max;
+    if (!is_limited && std::ranges::none_of(names, of_layers)) asked.layers.reset();
+    const Result result = solve(asked, run);
     Evaluated evaluated{result.status, LinkageKind::best_design_json(problem, result)};
     if (!result.designs.empty()) {
       add_size(evaluated.design["metrics"], result.designs.front().mechanism);
@@ -75,11 +85,13 @@ struct LinkageKind : KindBase<Problem, problems::Result> {
   static std::string page(const Problem& /*problem*/) { return design_page(); }
 
   static Json report_data(const Problem& problem, const Result& result) {
-    return app::report_data(result, Kind<Problem>::target_json(problem),
-                            problem.constraints.transmission_angle,
-                            [&](const problems::Design& design) {
-                              return Kind<Problem>::reached_json(problem, design);
-                            });
+    Json data = app::report_data(result, Kind<Problem>::target_json(problem),
+                                 problem.constraints.transmission_angle,
+                                 [&](const problems::Design& design) {
+                                   return Kind<Problem>::reached_json(problem, design);
+                                 });
+    if (problem.layers) add_bills(result, problem.layers->sizes, data);
+    return data;
   }
 
   /// What a design reaches at the targets, or how it errs.

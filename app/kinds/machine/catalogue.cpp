@@ -8,7 +8,7 @@ namespace keys = problems::reading;
 
 constexpr auto kLoad = entries_of(keys::kMachineLoadKeys);
 constexpr auto kEquivalent = entries_of(keys::kEquivalentKeys);
-constexpr auto kMotor = entries_of(keys::kMotorKeys);
+constexpr auto kMotor = entries_of(keys::kMotorKeys, keys::kMotorTrainKeys);
 constexpr auto kFlywheel = entries_of(keys::kFlywheelKeys);
 constexpr auto kBrake = entries_of(keys::kBrakeKeys);
 constexpr auto kRun = entries_of(keys::kRunKeys);
@@ -43,6 +43,13 @@ constexpr Metric kMetrics[] = {
     {"motor_work_J", "J", "of the motor in a period"},
     {"motor_power_mean_W", "W", "of the motor over a period"},
     {"motor_power_max_W", "W", "its maximum"},
+    {"train_ratio", "1", "of motor.train: speed of the motor's shaft over that of the drive"},
+    {"train_ratio_exact", "", "the same as a fraction, without rounding"},
+    {"train_efficiency", "1", "of power from the motor to the drive"},
+    {"train_reverse_efficiency", "1",
+     "of power from the drive to the motor; none of a self-locking train"},
+    {"train_self_locking", "boolean", "whether a load cannot drive the motor back"},
+    {"train_inertia_kg_m2", "kg m2", "of shafts and planets of the train, equivalent at the drive"},
     {"start_time_s", "s",
      "of the start: until speed_end is reached, else until the speed is within 1 % of the steady "
      "one "

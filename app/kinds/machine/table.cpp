@@ -23,9 +23,11 @@ using problems::Status;
 
 std::string drive_words(const MachineProblem& problem) {
   if (!problem.motor) return "without a motor";
-  if (problem.motor->line) return "with a motor of a straight line";
-  return problem.motor->torque.of_speed ? "with a motor whose torque depends on its speed"
-                                        : "with a motor";
+  const std::string train = problem.motor->train ? " and a gear train" : "";
+  if (problem.motor->line) return "with a motor of a straight line" + train;
+  return (problem.motor->torque.of_speed ? "with a motor whose torque depends on its speed"
+                                         : "with a motor") +
+         train;
 }
 
 std::string flywheel_words(const MachineProblem& problem) {

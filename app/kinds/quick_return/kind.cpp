@@ -16,15 +16,23 @@ constexpr Entry kQuickReturn[] = {
     {"mechanism.rocker", "four-bar: its length"},
     {"mechanism.swing_deg", "four-bar: of the rocker"},
     {"mechanism.crank",
-     "its length: at most one of crank, coupler, frame, crank_pivot_line; none: best transmission"},
+     "its length: at most one of crank, coupler, frame, crank_pivot_line, outer_limit_deg, "
+     "inner_limit_deg; none: best transmission"},
     {"mechanism.coupler", "likewise"},
     {"mechanism.frame", "likewise; guide-bar and shaper: between the pivots"},
     {"mechanism.crank_pivot_line", "likewise: [a, b, c], a x + b y = c"},
+    {"mechanism.outer_limit_deg",
+     "likewise: the rocker's angle at its outer limit, from A to D; with frame in place of "
+     "swing_deg"},
+    {"mechanism.inner_limit_deg", "likewise: at its inner limit"},
     {"mechanism.stroke", "slider-crank and shaper: of the slider"},
     {"mechanism.offset", "slider-crank: of the slide line; guide-bar: of the guide"},
     {"mechanism.rod", "shaper: from the guide to the ram"},
     {"mechanism.ram_height", "shaper: of the ram's line above the guide's pivot"},
-    {"constraints.pressure_angle_deg_max", "slider-crank and shaper"}};
+    {"constraints.pressure_angle_deg_max", "slider-crank and shaper"},
+    {"bounds.crank",
+     "with [raster]: [min, max] of crank, coupler, rocker, frame, offset, bar, rod, ram_height as "
+     "the type has them; length: of all"}};
 
 constexpr QuantityColumn kQuickReturnQuantities[] = {{"swing_deg", "swing [deg]"},
                                                      {"stroke", "stroke [length]"},

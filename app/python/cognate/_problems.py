@@ -158,14 +158,14 @@ def export(
     result
         A result, or the name of a file NAME.result.json.
     format
-        ``"dxf"``, ``"svg"``, ``"csv"``, ``"json"``, ``"dot"`` or ``"toml"``.
+        ``"dxf"``, ``"svg"``, ``"csv"``, ``"json"``, ``"dot"``, ``"toml"``, ``"step"`` or ``"stl"``.
     design
         Its number, counted from 1 as files do.
     out
         The folder of the files; None writes none, and ``.texts`` holds them.
     options
-        Those of the command: ``chord_tolerance``, ``position``, ``steps``, ``parts=True`` with
-        ``hole`` and ``width``, ``length_unit``, ...
+        All those of the command, with underscores: ``chord_tolerance``, ``position``, ``steps``,
+        ``length_unit``, ``parts=True`` with ``hole`` and ``width``, ``bore=[8, 10]``, ...
     """
     given = result if isinstance(result, Result) else load(result)
     return exported(given._answer, given.name, format, design, out, options)

@@ -91,12 +91,6 @@ def exported(
     out: Optional[PathLike],
     options: dict[str, Any],
 ) -> Exported:
-    known = {"chord_tolerance", "dxf_version", "curve", "cutter_radius", "position", "steps",
-             "parts", "hole", "width", "clearance", "gap", "thickness", "length_unit"}
-    for option in options:
-        if option not in known:
-            message = f"{option} is no option of an export; allowed are {', '.join(sorted(known))}"
-            raise ProblemError([(None, None, None, option, message)])
     wanted = {"format": format, "design": design, **options}
     made = _core.export_files(answer.json(), "the result", name, wanted)
     files: list[Path] = []

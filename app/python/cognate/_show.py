@@ -36,9 +36,14 @@ def _closed_run(closed: Any) -> Any:
     return np.array(best, dtype=int)
 
 
+def _is_driven_by_length(mechanism: "_mechanisms.Mechanism") -> bool:
+    tables = mechanism.tables()
+    return tables.get("slider") is not None or tables.get("cylinder") is not None
+
+
 def _frames(mechanism: "_mechanisms.Mechanism", stations: Any) -> dict[str, Any]:
     """Where the points are, frame by frame: over the turn, or to and fro where that is not closed."""
-    if mechanism.tables().get("slider") is not None:
+    if _is_driven_by_length(mechanism):
         ends = (min(stations), max(stations)) if stations is not None and len(stations) else (0, 0)
         angles = np.linspace(*ends, _STEPS)
     else:
@@ -46,7 +51,7 @@ def _frames(mechanism: "_mechanisms.Mechanism", stations: Any) -> dict[str, Any]
     points = mechanism.positions(angles)
     closed = np.all([np.isfinite(p).all(axis=1) for p in points.values()], axis=0)
     run = _closed_run(closed)
-    if len(run) < _STEPS or mechanism.tables().get("slider") is not None:
+    if len(run) < _STEPS or _is_driven_by_length(mechanism):
         run = np.concatenate([run, run[-2:0:-1]]) if len(run) > 2 else run
     return {name: place[run] for name, place in points.items()}
 

@@ -45,15 +45,18 @@ def precision_points(points: Any, *, input_start: Optional[float] = None,
 
 
 def slider_crank_points(points: Any, *, input_start: Optional[float] = None,
-                        output_start: Optional[float] = None) -> list[Values]:
+                        output_start: Optional[float] = None,
+                        offset: Optional[float] = None) -> list[Values]:
     """Every slider-crank through three to five pairs (n, 2) of crank angle and displacement.
 
-    n as in :func:`precision_points`. Of each ``crank``, ``coupler``, ``offset`` (positive to the
+    n as in :func:`precision_points`; with the ``offset`` given one pair less, and not both starts.
+    Of each ``crank``, ``coupler``, ``offset`` (positive to the
     left of the slide) in the unit of the displacements, ``input_start`` (the crank's angle from the
     slide at input 0), ``output_start`` (the slider from the foot of the perpendicular at output 0),
     ``outcome`` (``"linkage"``, ``"scotch-yoke"``, ...), ``residual``, ``condition``.
     """
-    return [_values(one) for one in _core.slider_crank_points(points, input_start, output_start)]
+    return [_values(one) for one in _core.slider_crank_points(points, input_start, output_start,
+                                                                  offset)]
 
 
 def equal_peaks(output: Callable[[float], float], interval: Any, links: Any, *,
@@ -235,12 +238,15 @@ def involute_angle(value: Any) -> Any:
 
 def quick_return_rockers(*, time_ratio: float, rocker: float, swing: float,
                          crank: Optional[float] = None, coupler: Optional[float] = None,
-                         frame: Optional[float] = None, line: Any = None) -> Values:
+                         frame: Optional[float] = None, line: Any = None,
+                         outer_limit: Optional[float] = None,
+                         inner_limit: Optional[float] = None) -> Values:
     """Crank-rockers of a time ratio (1 and more), rocker and swing in (0, pi).
 
-    All those with the ``crank``, ``coupler`` or ``frame``, or with the crank's pivot on the ``line``
-    a x + b y = c, (3,); with none of them the best transmission on each arc. The rocker's pivot is
-    the origin, the bisector of its swing the y axis. Of ``designs`` each has ``mechanism``,
+    All those with the ``crank``, ``coupler`` or ``frame``, with the crank's pivot on the ``line``
+    a x + b y = c, (3,), or with the rocker's angle from A to D, in (0, pi), at the limit with crank
+    and coupler extended (``outer_limit``) or folded (``inner_limit``); with none of them the best
+    transmission on each arc. The rocker's pivot is the origin, the bisector of its swing the y axis. Of ``designs`` each has ``mechanism``,
     ``outer`` and ``inner``, the crank's angles at the limits, ``transmission_min``,
     ``transmission_max``, ``arc``, ``mirror``, ``residual``, ``condition``; ``degeneracy`` says what
     leaves infinitely many. Li & Xu 2011, section 3; VDI 2130.
@@ -249,8 +255,26 @@ def quick_return_rockers(*, time_ratio: float, rocker: float, swing: float,
     >>> round(found.designs[0].mechanism.rocker, 9)
     3.0
     """
-    given, value = _one_of(crank=crank, coupler=coupler, frame=frame, line=line)
+    given, value = _one_of(crank=crank, coupler=coupler, frame=frame, line=line,
+                           outer_limit=outer_limit, inner_limit=inner_limit)
     return _designs(_core.quick_return_rockers(time_ratio, rocker, swing, given, value))
+
+
+def quick_return_rockers_by_frame(*, time_ratio: float, rocker: float, frame: float,
+                                  outer_limit: Optional[float] = None,
+                                  inner_limit: Optional[float] = None) -> Values:
+    """Crank-rockers of a time ratio, rocker and frame whose rocker has an angle at a limit.
+
+    As :func:`quick_return_rockers`, with the frame in place of the swing; one of ``outer_limit`` and
+    ``inner_limit`` is given.
+
+    >>> found = quick_return_rockers_by_frame(time_ratio=1.5, rocker=75, frame=100,
+    ...                                       inner_limit=2.356194490192345)
+    >>> round(found.designs[0].mechanism.crank, 2)
+    49.31
+    """
+    given, value = _one_of(outer_limit=outer_limit, inner_limit=inner_limit)
+    return _designs(_core.quick_return_rockers_by_frame(time_ratio, rocker, frame, given, value))
 
 
 def quick_return_sliders(*, time_ratio: float, stroke: float, offset: Optional[float] = None,

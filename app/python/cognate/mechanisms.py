@@ -2,9 +2,10 @@
 
 There is a class for each ``mechanism.type`` of files, with the keys of its table as keywords.
 Angles are in radians from the x axis, but degrees under keys that end in ``_deg``; a driving
-slider is moved by displacements. Arrays of points have x and y last, ``(..., 2)`` for angles of
-shape ``(...)``; they are NaN where the mechanism cannot be assembled. The assemblies stay as the
-mechanism says; :func:`cognate.analyze` follows a motion through change points.
+slider is moved by displacements, a driving cylinder by its length. Arrays of points have x and y
+last, ``(..., 2)`` for angles of shape ``(...)``; they are NaN where the mechanism cannot be
+assembled. The assemblies stay as the mechanism says; :func:`cognate.analyze` follows a motion
+through change points.
 
 >>> import numpy as np
 >>> bar = FourBar(fixed_pivots=[[0, 0], [4, 0]], crank=1, coupler=3.5, rocker=3,
@@ -238,8 +239,8 @@ _CLASSES = {word: _class_of(word, meaning, keys)
 class Chain(Mechanism):
     """A drive and any number of dyads.
 
-    Keywords: ``pivot``, ``crank`` or ``slider``, ``dyad``, ``point``: the tables of the same names
-    in a file, as dictionaries or lists of these.
+    Keywords: ``pivot``, ``crank``, ``slider`` or ``cylinder``, ``dyad``, ``point``: the tables of
+    the same names in a file, as dictionaries or lists of these.
     """
 
     _word = "chain"

@@ -1,13 +1,12 @@
 /// @file Analyses in a page: a problem as its result holds it is read and evaluated by the
 /// program's own reader and evaluator, and comes back as the data that its page is drawn from.
 #include <nlohmann/json.hpp>
-#include <string>
-#include <utility>
 
 #include "app/report/analysis_report_data.hpp"
 #include "app/report/kernel/answer.hpp"
 #include "app/report/kernel/document.hpp"
 #include "app/report/kernel/numbers.hpp"
+#include "app/report/kernel/problem_of.hpp"
 #include "app/report/mechanism_json.hpp"
 #include "app/report/quantity_json.hpp"
 #include "problems/evaluation/motion_summary.hpp"
@@ -15,7 +14,6 @@
 #include "problems/evaluation/type_quantities.hpp"
 #include "problems/evaluation/whole_motion.hpp"
 #include "problems/linkage/result.hpp"
-#include "problems/toml/table_reader.hpp"
 
 namespace cognate::page {
 namespace {
@@ -25,20 +23,6 @@ using problems::AnalysisProblem;
 
 /// Samples of a motion that is drawn while a joint is dragged.
 constexpr int kDraggedSamples = 181;
-
-/// The problem of a document, or what is wrong with it.
-AnalysisProblem problem_of(const problems::reading::Table& document,
-                           problems::reading::FaultList& faults) {
-  problems::reading::TableReader reader(document, faults);
-  reader.know({"kind"});
-  std::string title = reader.text("title").value_or("");
-  const auto unit = reader.choice<problems::LengthUnit>("length_unit");
-  auto problem = problems::KindTraits<AnalysisProblem>::read(reader, {});
-  reader.finish();
-  problem.title = std::move(title);
-  problem.length_unit = unit;
-  return problem;
-}
 
 /// The motion alone, and what follows from it.
 ordered_json motion_of(const AnalysisProblem& problem) {
@@ -69,7 +53,7 @@ ordered_json whole_of(const AnalysisProblem& problem) {
 COGNATE_EXPORT(analysis) int analyse_text(int whole) {
   problems::reading::FaultList faults;
   const auto document = document_of(question());
-  const AnalysisProblem problem = problem_of(document, faults);
+  const auto problem = problem_of<AnalysisProblem>(document, faults);
   if (!faults.empty()) return answer_with(faults_json(std::move(faults)));
   return answer_with(whole != 0 ? whole_of(problem) : motion_of(problem));
 }

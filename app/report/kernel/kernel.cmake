@@ -1,10 +1,13 @@
 # The analysis kernel for the report pages: the same sources, compiled to WebAssembly by Clang,
 # compressed, and written as base64 text that the pages inline: COGNATE_PAGE_KERNEL for four-bars,
 # COGNATE_ANALYSIS_KERNEL for whole analyses, which reads and evaluates a problem as the program
-# does; COGNATE_SKETCH_KERNEL to search for paths. Without the toolchain they are empty: pages offer
-# no editing, and that one draws on no linkages.
+# does; COGNATE_CAM_KERNEL and COGNATE_GEAR_KERNEL do so for cams and gears; COGNATE_SKETCH_KERNEL
+# to search for paths. Without the toolchain they are empty: pages offer no editing, and that one
+# draws on no linkages.
 set(COGNATE_PAGE_KERNEL "")
 set(COGNATE_ANALYSIS_KERNEL "")
+set(COGNATE_CAM_KERNEL "")
+set(COGNATE_GEAR_KERNEL "")
 set(COGNATE_SKETCH_KERNEL "")
 find_program(COGNATE_WASM_CXX NAMES clang++-19 clang++)
 find_program(COGNATE_BASE64 NAMES base64)
@@ -12,7 +15,9 @@ find_program(COGNATE_GZIP NAMES gzip)
 mark_as_advanced(COGNATE_WASM_CXX COGNATE_BASE64 COGNATE_GZIP)
 
 set(wasm_flags --target=wasm32-wasi -std=c++20 -Os -fno-exceptions -fno-rtti -DNDEBUG)
-set(wasm_link_flags -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all)
+# The linker's own stack is 64 kB, and lies where what leaves it overwrites data unseen.
+set(wasm_link_flags -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all -Wl,--stack-first
+                    -Wl,-z,stack-size=262144)
 
 # Whether Clang has what it takes to build for WebAssembly: the linker, both libraries, the run time.
 function(cognate_check_wasm result)
@@ -91,8 +96,22 @@ cognate_page_kernel(kernel
   app/drawing/design_motion.cpp
   app/report/kernel/four_bar.cpp
   app/report/kernel/nearest.cpp)
+# What reads a problem that a page hands over, and answers with data.
+set(problem_reader
+  app/report/drawn_number.cpp
+  app/report/kernel/answer.cpp
+  app/report/kernel/document.cpp
+  app/report/kernel/format.cpp
+  app/report/kernel/whole_numbers.cpp
+  app/report/quantity_json.cpp
+  problems/basics/length_unit.cpp
+  problems/linkage/names.cpp
+  problems/toml/fault_list.cpp
+  problems/toml/nearest.cpp
+  problems/toml/table_reader.cpp
+  problems/toml/table_reader_arrays.cpp)
 set(COGNATE_ANALYSIS_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/analysis_kernel.base64")
-cognate_page_kernel(analysis_kernel
+cognate_page_kernel(analysis_kernel ${problem_reader}
   analysis/cam/extremes.cpp
   analysis/cam/subdivision.cpp
   analysis/coupler_curve/circuit_samples.cpp
@@ -124,6 +143,7 @@ cognate_page_kernel(analysis_kernel
   analysis/mechanism/assembly_ranges.cpp
   analysis/mechanism/circuit_range.cpp
   analysis/mechanism/dyad_reach.cpp
+  analysis/mechanism/gait.cpp
   analysis/mechanism/inverse_dynamics.cpp
   analysis/mechanism/joint_balance.cpp
   analysis/mechanism/joints.cpp
@@ -141,14 +161,8 @@ cognate_page_kernel(analysis_kernel
   app/report/drawn_rows.cpp
   app/report/load_arrows.cpp
   app/report/kernel/analysis.cpp
-  app/report/kernel/answer.cpp
-  app/report/kernel/document.cpp
-  app/report/kernel/format.cpp
   app/report/kernel/left_out.cpp
-  app/report/kernel/whole_numbers.cpp
   app/report/mechanism_json.cpp
-  app/report/quantity_json.cpp
-  problems/basics/length_unit.cpp
   problems/basics/unit_notes.cpp
   problems/evaluation/active_loads.cpp
   problems/evaluation/column_plan.cpp
@@ -170,7 +184,6 @@ cognate_page_kernel(analysis_kernel
   problems/evaluation/sweep.cpp
   problems/evaluation/type_quantities.cpp
   problems/evaluation/whole_motion.cpp
-  problems/linkage/names.cpp
   problems/mechanism/directions.cpp
   problems/mechanism/joint_names.cpp
   problems/mechanism/mechanism_types.cpp
@@ -180,16 +193,15 @@ cognate_page_kernel(analysis_kernel
   problems/mechanism/part_names.cpp
   problems/mechanism/read_chain.cpp
   problems/mechanism/read_chain_dyads.cpp
+  problems/mechanism/read_cylinder.cpp
   problems/mechanism/read_dyad_keys.cpp
   problems/mechanism/read_extra_points.cpp
   problems/mechanism/read_links.cpp
   problems/mechanism/read_loads.cpp
   problems/mechanism/read_simple_mechanism.cpp
   problems/mechanism/read_slides.cpp
-  problems/mechanism/read_whole_mechanism.cpp
-  problems/toml/fault_list.cpp
-  problems/toml/nearest.cpp
-  problems/toml/table_reader.cpp
-  problems/toml/table_reader_arrays.cpp)
+  problems/mechanism/read_whole_mechanism.cpp)
 
+include("${CMAKE_CURRENT_LIST_DIR}/cams.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/gears.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/sketch.cmake")

@@ -12,10 +12,24 @@ export function metricName(name) {
   return side ? say(`metric.${side}${stroke ? `_${stroke}${working}` : ""}`, { of: words(of) }) : sentence(words(name));
 }
 
+const metricText = (name, value) => factText(value, /_deg(?=_|$)/.test(name) ? "deg" : "");
+
+// Metrics of an edited design beside those it had, as the panel of edits shows them.
+export function metricRows(before, now, nameOf = metricName) {
+  const cell = (name, metrics) => {
+    const { value = null } = metrics.find((metric) => metric.name === name) ?? {};
+    return { value, text: metricText(name, value) };
+  };
+  return now.filter(({ name }) => !name.endsWith("_at_deg")).map(({ name }) => ({ key: name, label: nameOf(name), before: cell(name, before), now: cell(name, now) }));
+}
+
+// Constraints of an edited design, as the panel shows them.
+export const checkRows = (constraints) => constraints.map((check) => [checkName(check), checkBound(check), checkValue(check), check.satisfied]);
+
 export function showMetrics(metrics) {
   const places = new Map(metrics.filter(({ name }) => name.endsWith("_at_deg")).map(({ name, value }) => [name.replace(/_at_deg$/, ""), value]));
   const rows = metrics.filter(({ name }) => !name.endsWith("_at_deg")).flatMap(({ name, value }) => {
-    const text = factText(value, /_deg(?=_|$)/.test(name) ? "deg" : "");
+    const text = metricText(name, value);
     return fact(metricName(name), places.has(name) ? say("fact.at", { value: text, place: degreesShort(places.get(name), 5) }) : text, typeof value === "number" ? String(value) : undefined);
   });
   byId("facts").hidden = rows.length === 0;
@@ -50,7 +64,7 @@ export function checkBound({ bound, unit, relation = "=" }) {
 export const headRow = (names) => element("tr", {}, ...names.map(([name, kind = ""]) => element("th", { scope: "col", class: kind }, name)));
 
 export function showChecks(constraints) {
-  document.querySelector(".checks thead").replaceChildren(headRow([[say("constraints.constraint")], [say("constraints.value"), "number"], [say("constraints.bound"), "number"], [say("constraints.met")]]));
+  document.querySelector("#constraints .checks thead").replaceChildren(headRow([[say("constraints.constraint")], [say("constraints.value"), "number"], [say("constraints.bound"), "number"], [say("constraints.met")]]));
   byId("checks").replaceChildren(...[...constraints].sort((a, b) => a.satisfied - b.satisfied).map((check) =>
     element("tr", { class: check.satisfied === false ? "missed" : "met" }, element("td", { title: check.name }, checkName(check)),
       element("td", { class: "number" }, checkValue(check)), element("td", { class: "number" }, checkBound(check)), element("td", {}, metMark(check)))));

@@ -1,14 +1,14 @@
 // Facts of a motion or of a synthesis in words.
 
 import { degreesShort, number, sentence } from "./format.js";
-import { LENGTH_UNIT, say, sentenceOf, term } from "./words.js";
+import { keyword, LENGTH_UNIT, say, sentenceOf, term } from "./words.js";
 
 const FACT_WORDS = { min: say("fact.least"), max: say("fact.greatest"), N_m: say("unit.torque"), N: say("unit.force"), deg: "°", length: LENGTH_UNIT ?? "" };
 
 const NO_ANGLE = 1e-9;
 
 // Facts that are lengths, whose names have no unit.
-const LENGTH_FACTS = /^(output_stroke|circuit_stroke|stroke|longest_link|size|curve_length|curve_width_(min|max)|straight_length|deviation|target_length)$/;
+const LENGTH_FACTS = /^(output_stroke|circuit_stroke|stroke|longest_link|size|curve_length|curve_width_(min|max)|straight_length|deviation|target_length|stride|step_height)$/;
 
 // Shares of a segment's length to which it is straight, as names end.
 const STRAIGHTNESS = { _at_0_001: "fact.to_0_001", _at_0_01: "fact.to_0_01" };
@@ -42,6 +42,8 @@ export function factName(key) {
     if (share in STRAIGHTNESS) return say(STRAIGHTNESS[share], { name: words(text.slice(0, -share.length)) });
     return term(text.replaceAll("_", " "));
   };
+  const joint = /^transmission_([^.]+)_min$/.exec(key)?.[1];
+  if (joint) return say("fact.transmission_at", { joint });
   if (!what) return sentence(words(of));
   if (what === "acute_min") return sentence(say("fact.least_acute", { of: words(of) }));
   const largest = /^(.*)_max$/.exec(of);
@@ -55,7 +57,7 @@ export const unitWord = (unit) => FACT_WORDS[unit] ?? "";
 export function factText(value, unit) {
   if (value === null) return "–";
   if (typeof value === "boolean") return say(value ? "yes" : "no");
-  if (typeof value !== "number") return sentenceOf(String(value).replaceAll("_", " "));
+  if (typeof value !== "number") return keyword(String(value)) ?? sentenceOf(String(value).replaceAll("_", " "));
   // Of an angle less than this is left by rounding.
   return unit === "deg" ? degreesShort(Math.abs(value) < NO_ANGLE ? 0 : value, 6) : `${number(value, 6)} ${FACT_WORDS[unit] ?? ""}`.trim();
 }

@@ -65,7 +65,7 @@ export class Loads {
     for (const part of this.parts) {
       const { load } = part;
       const place = places[load.body];
-      const { force, torque } = place && table.drive.length ? loadAt(load, table, drive) : {};
+      const { force, torque } = place && table.drive.length ? loadAt(load, table, drive, place) : {};
       const at = place && view.screen(Mechanism.point(place, load.at));
       const long = force ? this.scale * Math.hypot(...force) : 0;
       const k = long > this.reach ? (this.scale * this.reach) / long : this.scale;
@@ -81,11 +81,12 @@ export class Loads {
   }
 }
 
-// The force and the torque of a load where the drive stands.
-function loadAt({ column, direction, force, torque, acts }, table, drive) {
+// The force and the torque of a load where the drive stands; the direction may turn with its body.
+function loadAt({ column, direction, turns, force, torque, acts }, table, drive, place) {
   if (column !== undefined) {
     const value = table.at(table.columns[column], drive);
-    return value === null ? {} : direction ? { force: direction.map((x) => value * x) } : { torque: value };
+    const along = turns ? Mechanism.point([0, 0, place[2], place[3]], direction) : direction;
+    return value === null ? {} : along ? { force: along.map((x) => value * x) } : { torque: value };
   }
   const [i, t] = locate(table.drive, drive);
   return acts && !acts[Math.min(acts.length - 1, t < 0.5 ? i : i + 1)] ? {} : { force, torque };

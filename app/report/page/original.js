@@ -3,7 +3,11 @@
 import { byId, element } from "./dom.js";
 import { say } from "./words.js";
 
+// The line below the title is of the original too.
 export function markOriginal(ids, on) {
+  const summary = document.querySelector(".page-head .summary");
+  summary.classList.toggle("of-original", on);
+  summary.dataset.original = on ? ` · ${say("edit.of_original")}` : "";
   for (const card of ids.map((id) => byId(id))) {
     card.classList.toggle("of-original", on);
     const title = card.querySelector("h2");

@@ -10,80 +10,18 @@
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/vec2.hpp"
 #include "synthesis/exact/binary_form.hpp"
+#include "synthesis/exact/function/slider_equation.hpp"
 #include "synthesis/exact/null_plane.hpp"
 #include "synthesis/exact/polish.hpp"
 
 namespace cognate::synthesis {
 namespace {
 
-/// As for the four-bar: beyond it a length means nothing, and what is no root is dropped.
-constexpr double kInfiniteRatio = 1e-12;
-constexpr double kAcceptedSliderResidual = 1e-11;
-
-/// One condition: series coefficients of s², s, su, u and 1 in s² + 2s₀s − 2s Re(Ru) − 2Re(Qu) + C.
-struct SliderRow {
-  double square = 0, s = 0;
-  Vec2d su, u;
-  double constant = 0;
-};
-using SliderRows = InPlaceVector<SliderRow, kMostConditions>;
-
 /// The share of a unit vector of the null space by which it may miss h = 0 and R = 0 and still be
 /// a Scotch yoke's, and by which other roots differ from it: that root is double, so rounding
 /// splits it by its square root.
 constexpr double kYokeShare = 1e-11;
 constexpr double kYokeNeighbourhood = 1e-5;
-
-/// Displacements as s = unit·σ + origin, σ of order one.
-struct Scale {
-  double origin = 0, unit = 1;
-};
-
-/// The origin is the middle of the displacements where the start displacement is free to take it
-/// up, else the foot of the perpendicular.
-Scale scale_of(std::span<const PrecisionPoint> points, const GivenStart& start) {
-  Scale scale;
-  if (start.output) {
-    scale.origin = -*start.output;
-  } else {
-    const auto [least, greatest] = std::ranges::minmax(
-        points, {}, [](const PrecisionPoint& point) { return point.output[0]; });
-    scale.origin = 0.5 * least.output[0] + 0.5 * greatest.output[0];
-  }
-  double size = 0;
-  for (const PrecisionPoint& point : points) {
-    size = std::max(size, std::abs(point.output[0] - scale.origin));
-    for (std::size_t k = 1; k < point.multiplicity; ++k) {
-      size = std::max(size, std::abs(point.output[k]));
-    }
-  }
-  if (size > 0) scale.unit = size;
-  return scale;
-}
-
-SliderRows rows_of(std::span<const PrecisionPoint> points, const Scale& scale) {
-  SliderRows rows;
-  for (const PrecisionPoint& point : points) {
-    const std::size_t count = point.multiplicity;
-    RealSeries s = output_series(point);
-    s[0] -= scale.origin;
-    for (double& coefficient : s) coefficient /= scale.unit;
-    const RealSeries square = product(s, s, count);
-    const ComplexSeries u = direction_series({point.input, 1}, count);
-    const ComplexSeries su = product(s, u, count);
-    for (std::size_t k = 0; k < count; ++k) {
-      rows.push_back({square[k], s[k], su[k], u[k], k == 0 ? 1.0 : 0.0});
-    }
-  }
-  return rows;
-}
-
-/// The equation's coefficients up to a common factor, in the scaled displacement: h·S² − 2r S cos θ
-/// − 2w sin θ + c = 0 with w = re, and the starts that go with them.
-struct SliderCoefficients {
-  double h = 0, r = 0, w = 0, c = 0;
-  double input_start = 0, output_start = 0;
-};
 
 /// The equations in r, w, c and those starts that are to be found.
 template <int N>
@@ -150,65 +88,25 @@ class SliderEquations {
   const GivenStart& start_;
 };
 
-/// Whether the coefficient of S² or that of the crank vanishes in a unit vector of the null space.
-SliderCrankOutcome infinite_part(double h, double crank) {
-  if (!(std::abs(h) > kInfiniteRatio)) return SliderCrankOutcome::infinite_links;
-  return std::abs(crank) > kInfiniteRatio ? SliderCrankOutcome::linkage
-                                          : SliderCrankOutcome::no_crank;
-}
-
-/// What remains to be known of a solution when the equations are set up.
-struct Setting {
-  const SliderRows& rows;
-  const GivenStart& start;
-  const Scale& scale;
-};
-
-SliderCrankFunction as_linkage(const SliderCoefficients& c, const Setting& setting) {
-  SliderCrankFunction result;
-  const double unit = setting.scale.unit;
-  const double offset = c.w / c.r;
-  // The coupler in the first position: no difference of squares enters.
-  const SliderRow& first = setting.rows[0];
-  const Vec2d pin = c.r * (first.u * unit_vector(c.input_start));
-  const double coupler = norm(Vec2d{first.s + c.output_start, offset} - pin);
-  result.crank = unit * std::abs(c.r);
-  result.offset = unit * offset;
-  result.coupler = unit * coupler;
-  if (!(coupler > kInfiniteRatio * std::abs(c.r))) result.outcome = SliderCrankOutcome::no_coupler;
-  result.input_turned = c.r < 0;
-  result.input_start = c.input_start + (c.r < 0 ? kPi : 0);
-  result.output_start = setting.start.output.value_or(unit * c.output_start - setting.scale.origin);
-  if (!setting.start.input) result.input_turned = false;
-  return result;
-}
-
 /// The solution that `c` leads to, unless it is none.
 template <int N>
-void add_solution(const Setting& setting, const SliderCoefficients& c,
+void add_solution(const SliderSetting& setting, const SliderCoefficients& c,
                   SliderCrankFunctions& result) {
   const SliderEquations<N> equations(setting.rows, setting.start);
   const Root<N> root = polish<N>(equations, equations.unknowns(c));
   if (!(root.residual <= kAcceptedSliderResidual)) return;
-  SliderCrankFunction found = as_linkage(equations.coefficients(root.x), setting);
+  SliderCrankFunction found = slider_linkage(equations.coefficients(root.x), setting);
   found.residual = root.residual;
   found.condition = root.condition;
   result.solutions.push_back(found);
 }
 
-void add_limit(SliderCrankOutcome outcome, double yoke_crank, SliderCrankFunctions& result) {
-  SliderCrankFunction found;
-  found.outcome = outcome;
-  found.crank = yoke_crank;
-  result.solutions.push_back(found);
-}
-
 /// A Scotch yoke s = s₀ + Re(Qu)/p: no square and no S cos θ in its equation.
-void add_yoke(double q, double p, const Setting& setting, SliderCrankFunctions& result) {
-  if (std::abs(p) > kInfiniteRatio) {
-    add_limit(SliderCrankOutcome::scotch_yoke, setting.scale.unit * q / std::abs(p), result);
+void add_yoke(double q, double p, const SliderSetting& setting, SliderCrankFunctions& result) {
+  if (std::abs(p) > kInfiniteSliderRatio) {
+    add_slider_limit(SliderCrankOutcome::scotch_yoke, setting.scale.unit * q / std::abs(p), result);
   } else {
-    add_limit(SliderCrankOutcome::infinite_links, 0, result);
+    add_slider_limit(SliderCrankOutcome::infinite_links, 0, result);
   }
 }
 
@@ -257,7 +155,7 @@ PlaneRoots<Vector> plane_roots(const Vector& u, const Vector& v,
   return result;
 }
 
-SliderCrankFunctions with_both_given(const Setting& setting) {
+SliderCrankFunctions with_both_given(const SliderSetting& setting) {
   const Vec2d e = unit_vector(*setting.start.input);
   Eigen::Matrix<double, 3, 4> m;
   for (int i = 0; i < 3; ++i) {
@@ -269,18 +167,18 @@ SliderCrankFunctions with_both_given(const Setting& setting) {
   result.dependent = !basis;
   if (!basis) return result;
   const auto& v = (*basis)[0];
-  const auto outcome = infinite_part(v[0], v[1]);
+  const auto outcome = infinite_slider_part(v[0], v[1]);
   if (outcome == SliderCrankOutcome::linkage) {
     add_solution<3>(setting, {v[0], v[1], v[2], v[3], *setting.start.input, 0}, result);
   } else {
-    add_limit(outcome, 0, result);
+    add_slider_limit(outcome, 0, result);
   }
   return result;
 }
 
 /// Unknown in addition to the lengths: the start displacement p/h. Columns s², s, s cos θ, cos θ,
 /// sin θ, 1 with coefficients h, 2p, −2r, −2q, −2w, c; q·h = p·r.
-SliderCrankFunctions with_input_given(const Setting& setting) {
+SliderCrankFunctions with_input_given(const SliderSetting& setting) {
   const Vec2d e = unit_vector(*setting.start.input);
   Eigen::Matrix<double, 4, 6> m;
   for (int i = 0; i < 4; ++i) {
@@ -301,9 +199,9 @@ SliderCrankFunctions with_input_given(const Setting& setting) {
   if (found.yoke)
     add_yoke(std::hypot((*found.yoke)[3], (*found.yoke)[4]), (*found.yoke)[1], setting, result);
   for (const Vector& x : found.roots) {
-    const auto outcome = infinite_part(x[0], x[2]);
+    const auto outcome = infinite_slider_part(x[0], x[2]);
     if (outcome != SliderCrankOutcome::linkage) {
-      add_limit(outcome, 0, result);
+      add_slider_limit(outcome, 0, result);
       continue;
     }
     const double origin = x[1] / x[0];
@@ -316,7 +214,7 @@ SliderCrankFunctions with_input_given(const Setting& setting) {
 
 /// Unknown in addition to the lengths: the start angle. Columns S², −2Su, −2u, 1 with coefficients
 /// h, R, Q and c; Re(Q conj R) = 0.
-SliderCrankFunctions with_output_given(const Setting& setting) {
+SliderCrankFunctions with_output_given(const SliderSetting& setting) {
   Eigen::Matrix<double, 4, 6> m;
   for (int i = 0; i < 4; ++i) {
     const SliderRow& row = setting.rows[static_cast<std::size_t>(i)];
@@ -332,9 +230,9 @@ SliderCrankFunctions with_output_given(const Setting& setting) {
   for (const Vec2d& root : real_roots(quadratic_form(along, u, v))) {
     const Vector x = root.x * u + root.y * v;
     const Vec2d r{x[1], x[2]}, q{x[3], x[4]};
-    const auto outcome = infinite_part(x[0], norm(r));
+    const auto outcome = infinite_slider_part(x[0], norm(r));
     if (outcome != SliderCrankOutcome::linkage) {
-      add_limit(outcome, 0, result);
+      add_slider_limit(outcome, 0, result);
       continue;
     }
     // Q = −ie·R.
@@ -345,7 +243,7 @@ SliderCrankFunctions with_output_given(const Setting& setting) {
   return result;
 }
 
-SliderCrankFunctions with_none_given(const Setting& setting) {
+SliderCrankFunctions with_none_given(const SliderSetting& setting) {
   Eigen::Matrix<double, 5, 7> m;
   for (int i = 0; i < 5; ++i) {
     const SliderRow& row = setting.rows[static_cast<std::size_t>(i)];
@@ -367,9 +265,9 @@ SliderCrankFunctions with_none_given(const Setting& setting) {
     add_yoke(norm(Vec2d{(*found.yoke)[4], (*found.yoke)[5]}), (*found.yoke)[1], setting, result);
   for (const Vector& x : found.roots) {
     const Vec2d r{x[2], x[3]}, q{x[4], x[5]};
-    const auto outcome = infinite_part(x[0], norm(r));
+    const auto outcome = infinite_slider_part(x[0], norm(r));
     if (outcome != SliderCrankOutcome::linkage) {
-      add_limit(outcome, 0, result);
+      add_slider_limit(outcome, 0, result);
       continue;
     }
     const double phi = angle_of(r);
@@ -386,9 +284,9 @@ SliderCrankFunctions slider_crank_functions(std::span<const PrecisionPoint> poin
                                             const GivenStart& start) {
   assert(condition_count(points) ==
          static_cast<std::size_t>(3 + int{!start.input} + int{!start.output}));
-  const Scale scale = scale_of(points, start);
-  const SliderRows rows = rows_of(points, scale);
-  const Setting setting{rows, start, scale};
+  const SliderScale scale = slider_scale(points, start);
+  const SliderRows rows = slider_rows(points, scale);
+  const SliderSetting setting{rows, start, scale};
   if (start.input && start.output) return with_both_given(setting);
   if (start.input) return with_input_given(setting);
   return start.output ? with_output_given(setting) : with_none_given(setting);

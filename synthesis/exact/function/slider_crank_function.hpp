@@ -13,8 +13,10 @@
 ///
 /// linear in s₀, R, Q and C, and so is each of its derivatives by the input. That Re(Q conj R) =
 /// s₀|R|² is a cubic on the plane that five conditions leave, and where the start angle or the
-/// start displacement is given four leave a quadratic. Displacements are centred and scaled, so
-/// that neither their unit nor their origin matters.
+/// start displacement is given four leave a quadratic. With e given it is linear in R, s₀R, s₀ and
+/// C: three conditions leave a quadratic where the start angle is given, one solution where the
+/// start displacement is, and four a cubic of s₀ where neither is. Displacements are centred and
+/// scaled, so that neither their unit nor their origin matters.
 #pragma once
 
 #include <span>
@@ -57,5 +59,10 @@ struct SliderCrankFunctions {
 /// not given. Outcomes other than a linkage are among the solutions.
 SliderCrankFunctions slider_crank_functions(std::span<const PrecisionPoint> points,
                                             const GivenStart& start);
+
+/// The same with the offset given too, so that one condition less is needed: three with one of the
+/// starts given, four with none. At least one start must be free.
+SliderCrankFunctions slider_crank_functions(std::span<const PrecisionPoint> points,
+                                            const GivenStart& start, double offset);
 
 }  // namespace cognate::synthesis

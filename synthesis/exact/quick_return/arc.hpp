@@ -9,7 +9,7 @@
 namespace cognate::synthesis {
 
 /// What was given beside K, rocker and swing, and fixes the pivot on its arc.
-enum class RockerGiven { crank, coupler, frame, line };
+enum class RockerGiven { crank, coupler, frame, line, limit };
 
 /// An arc of pivots; formulas and notation are those of rocker.hpp.
 class RockerArc {
@@ -40,7 +40,8 @@ class RockerArc {
   QuickReturnRocker design(const ArcPoint& point, int side) const;
 
   /// As `design`, with residual, condition and transmission angles; empty where the analysis kernel
-  /// does not find the desired swing and time ratio. `normal`: of the line, for `line`.
+  /// does not find the desired swing and time ratio. `normal`: of the line, for `line`; for `limit`
+  /// the gradient of the rocker's angle by A over h.
   std::optional<QuickReturnRocker> confirmed(const ArcPoint& point, int side, RockerGiven given,
                                              const Vec2d& normal = {}) const;
 

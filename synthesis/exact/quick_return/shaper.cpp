@@ -52,6 +52,16 @@ ShaperSolution shaper(const ShaperTask& task) {
   return {sound ? ShaperOutcome::solved : ShaperOutcome::overshoot, found};
 }
 
+ShaperOutcome judge(Shaper& shaper, double half_swing) {
+  // The end of the bar stands highest upright and lowest at the limits.
+  const double over = std::abs(shaper.ram_height - shaper.bar);
+  const double under = std::abs(shaper.ram_height - shaper.bar * std::cos(half_swing));
+  const double greatest = std::max(over, under);
+  if (!(shaper.rod > greatest)) return ShaperOutcome::short_rod;
+  shaper.pressure = std::asin(greatest / shaper.rod);
+  return keeps_sense(shaper, half_swing) ? ShaperOutcome::solved : ShaperOutcome::overshoot;
+}
+
 Mechanism<double> as_mechanism(const Shaper& shaper) {
   const Rpr<double> bar{.block = {1, {shaper.crank, 0}}, .pivot = {0, {0, 0}}};
   const Rrp<double> ram{.point = {3, {shaper.bar, 0}},

@@ -51,6 +51,10 @@ struct ShaperSolution {
   Shaper shaper;
 };
 
+/// Whether the ram of a shaper whose dimensions are all given turns back where the bar does, and
+/// only there; sets its pressure angle. `half_swing`: of the bar.
+ShaperOutcome judge(Shaper& shaper, double half_swing);
+
 /// The shaper of a task, or why there is none.
 ShaperSolution shaper(const ShaperTask& task);
 

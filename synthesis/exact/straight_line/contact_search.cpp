@@ -172,6 +172,20 @@ std::vector<StraightLineSolution> limit_positions(const SliderCrank& linkage, in
   return found;
 }
 
+/// With the crank across the slide line, where the coupler does not turn.
+std::vector<StraightLineSolution> positions_across(const SliderCrank& linkage, int contact) {
+  std::vector<StraightLineSolution> found;
+  const double slide = std::atan2(linkage.direction.y, linkage.direction.x);
+  for (const double side : {1.0, -1.0}) {
+    if (!(std::abs(side * linkage.crank - linkage.offset) < linkage.coupler)) continue;
+    const double angle = slide + side * kRightAngle;
+    for (const auto& point : straight_points(linkage, angle, contact).points) {
+      found.push_back({linkage, angle, point});
+    }
+  }
+  return found;
+}
+
 /// Of a family by one length, from 1/1000 to 1000 times the longest of the others.
 template <class MemberOfLength>
 std::vector<StraightLineSolution> over_lengths(double longest, const MemberOfLength& member) {
@@ -192,7 +206,9 @@ std::vector<StraightLineSolution> five_point_members(const LinkageFamily& family
 
 std::vector<StraightLineSolution> straight_positions(const CouplerLinkage& linkage, int contact) {
   if (const auto* slider = std::get_if<SliderCrank>(&linkage)) {
-    return limit_positions(*slider, contact);
+    auto found = limit_positions(*slider, contact);
+    if (contact < 5) keep_new(found, positions_across(*slider, contact));
+    return found;
   }
   if (contact < 5) return {};
   const LinkageFamily positions = [&linkage](double angle) {

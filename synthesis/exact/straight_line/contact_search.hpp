@@ -37,7 +37,8 @@ std::vector<StraightLineSolution> five_point_members(const LinkageFamily& family
 
 /// All positions of a linkage, in its own assembly, with contact of at least `contact` points, 4 or
 /// 5. Of a four-bar contact of five is meant (every position has Ball's point): nothing for 4, and
-/// nothing within 0.001 of a change point. Of a slider-crank the points in its two limit positions.
+/// nothing within 0.001 of a change point. Of a slider-crank the points in its two limit positions
+/// and, of contact of four, with the crank across the slide line, where the pole is at infinity.
 std::vector<StraightLineSolution> straight_positions(const CouplerLinkage& linkage, int contact);
 
 /// The four-bars that differ from `linkage` in one length alone (a frame grows from A along its

@@ -46,6 +46,7 @@ class Finder {
     if (wanted_ == 3 || (locus && (wanted_ == 4 || found_.points.empty()))) {
       add_on_coupler_line();
       add_inflection_pole();
+      if (locus) add_on_inflection_line();
     }
     if (!found_.points.empty()) found_.why = NoStraightPoint::none;
     return found_;
@@ -106,6 +107,16 @@ class Finder {
     add(StraightPointKind::inflection_pole, 2.0 * circle->centre - *pole, 1);
   }
 
+  /// Where the pole is at infinity and the whole line has the contact, its point level with B; if
+  /// that is the slider's pin, the one as far from it as the longest link is long.
+  void add_on_inflection_line() {
+    const auto line = as_line(second_, position_.size);
+    if (!line) return;
+    const Vec2d foot = line->through - dot(line->through, line->direction) * line->direction;
+    const double away = is_slider(foot) ? position_.size : 0;
+    add(StraightPointKind::inflection_line, foot + away * line->direction, 1);
+  }
+
   void add_ball(const ProjectivePoint& ball) {
     const auto z = finite(ball, kReach * position_.size);
     if (!z) {
@@ -140,8 +151,8 @@ class Finder {
 }  // namespace
 
 std::string_view name(StraightPointKind kind) {
-  constexpr std::array<std::string_view, 4> kNames{"coupler-line", "inflection-pole", "ball-point",
-                                                   "five-point-contact"};
+  constexpr std::array<std::string_view, 5> kNames{"coupler-line", "inflection-pole", "ball-point",
+                                                   "five-point-contact", "inflection-line"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

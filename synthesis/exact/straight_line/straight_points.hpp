@@ -19,9 +19,13 @@ enum class StraightPointKind {
   inflection_pole,  ///< the point of the inflection circle farthest from the pole
   ball,             ///< Ball's point
   five_point,       ///< where the loci of contact of three and of five points meet
+  /// The point level with B of a line all of whose points have contact of four; where that is the
+  /// slider's pin, the one as far from it as the longest link is long.
+  inflection_line,
 };
 
-/// "coupler-line", "inflection-pole", "ball-point" or "five-point-contact".
+/// "coupler-line", "inflection-pole", "ball-point", "five-point-contact" or
+/// "inflection-line".
 std::string_view name(StraightPointKind kind);
 
 /// A coupler point, and how closely its path touches its tangent.
@@ -43,7 +47,7 @@ enum class NoStraightPoint {
   parallel_motion,     ///< the coupler slides without angular acceleration, as in a parallelogram
   at_infinity,         ///< Ball's point is at infinity: parallel cranks, the coupler aslant
   at_pole,             ///< Ball's point falls on the pole, where nothing moves
-  at_slider,           ///< Ball's point is the slider's pin, which moves straight in any case
+  at_slider,           ///< the point is the slider's pin, which moves straight in any case
   too_few,             ///< there are points, of less contact than requested
   misses_coupler_line  ///< the inflection circle does not meet the coupler line (no fault)
 };
@@ -61,7 +65,11 @@ struct StraightPoints {
 /// 1e6 sizes.
 ///
 /// Of a slider-crank the slider's pin is on every locus, so that Ball's point is another one only
-/// where the pin is the pole as well: in the limit positions, crank and coupler in line.
+/// where the pin is the pole as well: in the limit positions, crank and coupler in line. With the
+/// crank across the slide line the coupler does not turn and its pole is at infinity: the line
+/// through the pin across the slide is then the inflection line, and all of it has contact of four
+/// points (at a height h over the pin the path is y = h (1 − α² t⁴/8 + …), α the angular
+/// acceleration), as has that of parallel cranks with the coupler across them.
 StraightPoints straight_points(const CouplerLinkage& linkage, double crank_angle, int contact);
 StraightPoints straight_points(const CouplerPosition& position, int contact);
 

@@ -36,17 +36,17 @@ Cam cam_of(FollowerType type, ArmSide side) {
   if (type == FollowerType::translating_roller || type == FollowerType::translating_knife) {
     d.offset = 5;
   }
-  if (!is_flat(type) && type != FollowerType::translating_knife) d.roller_radius = 8;
+  if (!is_flat(type) && !is_knife(type)) d.roller_radius = 8;
   if (swings) d.centre_distance = 120;
-  if (type == FollowerType::oscillating_roller) d.arm = 100;
+  if (has_arm(type)) d.arm = 100;
   if (type == FollowerType::oscillating_flat) d.face_offset = 4;
   cam.system.start = starting_place(follower);
   return cam;
 }
 
 constexpr std::array kTypes = {FollowerType::translating_roller, FollowerType::translating_flat,
-                               FollowerType::translating_knife, FollowerType::oscillating_roller,
-                               FollowerType::oscillating_flat};
+                               FollowerType::translating_knife,  FollowerType::oscillating_roller,
+                               FollowerType::oscillating_flat,   FollowerType::oscillating_knife};
 constexpr std::array<double Dimensions::*, 6> kMembers = {
     &Dimensions::base_radius,     &Dimensions::offset, &Dimensions::roller_radius,
     &Dimensions::centre_distance, &Dimensions::arm,    &Dimensions::face_offset};

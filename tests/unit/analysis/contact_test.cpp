@@ -9,6 +9,7 @@
 #include "analysis/coupler_curve/parallel_cranks.hpp"
 #include "analysis/coupler_curve/stationary_curvature.hpp"
 #include "analysis/linkage/four_bar.hpp"
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "synthesis/exact/straight_line/contact_search.hpp"
 #include "tests/support/quad_motion.hpp"
@@ -272,6 +273,80 @@ TEST(StraightPoints, DegeneratePositionsAreNamed) {
   const auto limit = straight_points(slider, 0, 4);
   ASSERT_FALSE(limit.points.empty());
   EXPECT_LT(norm(limit.points[0].coupler_point - Vec2d{-4.5, 0}), 1e-13);
+}
+
+/// By trigonometry alone, in the slide's axes: how far a point at the height h over the slider's
+/// pin comes down where the crank has turned by δ from across the slide.
+double fall_of(const SliderCrank& slider, double side, double height, double turned) {
+  const auto sine = [&](double turn) {
+    return (slider.offset - side * slider.crank * std::cos(turn)) / slider.coupler;
+  };
+  return height * (1 - std::cos(std::asin(sine(turned)) - std::asin(sine(0))));
+}
+
+// Crank across the slide line: the pole is at infinity, the inflection circle the line through the
+// slider's pin across the slide, and all of it has contact of four points.
+TEST(StraightPoints, SliderCrankWithItsPoleAtInfinity) {
+  int tested = 0;
+  std::mt19937_64 random(37);
+  std::uniform_real_distribution<double> length(0.3, 1.3), share(-0.9, 0.9), height(-2, 2);
+  for (int i = 0; i < 200; ++i) {
+    const double side = random() % 2 == 0 ? 1 : -1, slide = 3 * share(random);
+    SliderCrank slider{test::random_point(random), length(random), length(random), 0,
+                       unit_vector(slide)};
+    slider.offset = side * slider.crank + share(random) * slider.coupler;
+    slider.assembly = random() % 2 == 0 ? Assembly::open : Assembly::crossed;
+    const double at = slide + side * 0.5 * pi;
+    const auto position = coupler_position(slider, at);
+    ASSERT_TRUE(position) << i;
+    const Vec2d along = slider.direction, across = perp(along), pin = *position->slider;
+    const auto line = as_line(contact_locus(position->series, 2), position->size);
+    ASSERT_TRUE(line) << i;
+    EXPECT_NEAR(cross(line->direction, across), 0, 1e-11) << i;
+    EXPECT_NEAR(dot(line->through - pin, along), 0, 1e-11) << i;
+
+    const double h = height(random);
+    if (std::abs(h) < 0.05) continue;
+    const Contact on_line = contact(position->series, pin + h * across, position->size);
+    EXPECT_EQ(on_line.points, 4) << i;
+    constexpr double kTurn4 = 1e-2;
+    const double coupler = (slider.offset - side * slider.crank) / slider.coupler;
+    const double rate = slider.crank / (2 * slider.coupler * std::sqrt(1 - coupler * coupler));
+    const double fall = fall_of(slider, side, h, kTurn4) / std::pow(kTurn4, 4);
+    EXPECT_NEAR(fall, 0.5 * h * rate * rate, 1e-2 * std::abs(fall)) << i;
+
+    for (const int wanted : {3, 4}) {
+      const auto found = straight_points(slider, at, wanted);
+      EXPECT_EQ(found.why, NoStraightPoint::none) << i;
+      ASSERT_EQ(found.points.size(), 1U) << i;
+      EXPECT_EQ(found.points[0].kind, StraightPointKind::inflection_line);
+      EXPECT_EQ(found.points[0].contact.points, 4);
+      const Vec2d level = position->series.direction[0] * found.points[0].coupler_point;
+      EXPECT_NEAR(dot(level, across), 0, 1e-11) << i;
+      EXPECT_NEAR(dot(level - pin, along), 0, 1e-11) << i;
+    }
+    EXPECT_TRUE(straight_points(slider, at, 5).points.empty()) << i;
+    // A little beside it Ball's point is the pin again.
+    EXPECT_EQ(straight_points(slider, at + 1e-3, 4).why, NoStraightPoint::at_slider) << i;
+    // Both the position and its opposite, where they can be reached, are found without an angle.
+    const auto all = straight_positions(slider, 4);
+    const auto here = [&](const StraightLineSolution& one) {
+      return std::abs(std::sin(0.5 * (one.crank_angle - at))) < 1e-9;
+    };
+    EXPECT_EQ(std::ranges::count_if(all, here), 1) << i;
+    ++tested;
+  }
+  EXPECT_GT(tested, 170);
+}
+
+// The crank's pin on the slide line: the point level with it is the slider's pin, another is taken.
+TEST(StraightPoints, SliderCrankWithItsPinsOnTheSlideLine) {
+  const SliderCrank slider{.pivot = {}, .crank = 1, .coupler = 3, .offset = 1};
+  const auto found = straight_points(slider, 0.5 * pi, 4);
+  ASSERT_EQ(found.points.size(), 1U);
+  EXPECT_EQ(found.points[0].contact.points, 4);
+  EXPECT_NEAR(found.points[0].coupler_point.x, 3, 1e-12);
+  EXPECT_NEAR(std::abs(found.points[0].coupler_point.y), 3, 1e-12);
 }
 
 TEST(StraightPoints, EllipticMotionHasExactLines) {

@@ -56,14 +56,17 @@ bool is_well_closed(const Mechanism<double>& mechanism) {
   });
 }
 
-/// Chains of three dyads in every order, with each drive in turn.
+/// Chains of three dyads in every order, with each drive but a cylinder in turn, and then some with
+/// that.
 std::vector<Task> random_tasks(unsigned seed) {
   ChainMaker maker(seed);
   std::vector<Task> tasks;
-  for (int i = 0; i < 125; ++i) {
+  constexpr int kOrders = 125, kWithCylinder = 50;
+  for (int i = 0; i < kOrders + kWithCylinder; ++i) {
     do {
       tasks.resize(std::size_t(i));
-      tasks.push_back(random_task(maker, i % 3, {i / 25, i / 5 % 5, i % 5}));
+      const int drive = i < kOrders ? i % 3 : 3;
+      tasks.push_back(random_task(maker, drive, {i / 25 % 5, i / 5 % 5, i % 5}));
     } while (!is_well_closed(tasks.back().mechanism));
   }
   return tasks;
@@ -224,6 +227,9 @@ Drive<double> scaled(double k, const DrivingSlider<double>& slider) {
 Drive<double> scaled(double k, const FloatingLink<double>& link) {
   return FloatingLink<double>{scaled(k, link.first), scaled(k, link.second), k * link.length};
 }
+Drive<double> scaled(double, const DrivingRod<double>& rod) {
+  return rod;
+}
 Dyad<double> scaled(double k, const Rrr<double>& d) {
   return Rrr<double>{scaled(k, d.first), scaled(k, d.second), k * d.first_length,
                      k * d.second_length, d.assembly};
@@ -239,6 +245,10 @@ Dyad<double> scaled(double k, const Prp<double>& d) {
 }
 Dyad<double> scaled(double k, const Rpp<double>& d) {
   return Rpp<double>{scaled(k, d.point), d.slot, scaled(k, d.guide)};
+}
+
+Dyad<double> scaled(double k, const Cylinder<double>& d) {
+  return Cylinder<double>{scaled(k, d.base), scaled(k, d.pivot), k * d.length, d.assembly};
 }
 
 /// The task with lengths in a unit k times smaller: forces are k times as many, moments k² times.
@@ -258,8 +268,8 @@ TEST(InverseDynamics, UnitOfLengthChangesNoDigit) {
   constexpr double k = 1024;
   for (const Task& task : random_tasks(5)) {
     Task in_small = scaled(k, task);
-    // A slider's displacement is a length itself, and it is driven by a force.
-    const bool slides = std::holds_alternative<DrivingSlider<double>>(task.mechanism.drive);
+    // A displacement is a length itself, and a force drives it.
+    const bool slides = driven_by_length(task.mechanism.drive);
     const double of_drive = slides ? k : 1;
     in_small.rate = {of_drive * task.rate.speed, of_drive * task.rate.acceleration};
     const Solved metres(task, ChainMaker::kStart), small(in_small, of_drive * ChainMaker::kStart);

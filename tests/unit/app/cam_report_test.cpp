@@ -219,12 +219,13 @@ TEST(CamReport, StaysSmallHoweverManySegmentsAndDesignsThereAre) {
 }
 
 TEST(CamReport, LeavesVeryLongListsOutOfTheResult) {
+  constexpr std::size_t kPage = 900'000;  // with the kernel; three lists of 1 MB are left out
   const SampleCam cam = sample("translating-flat");
   const ordered_json list(30'000, ordered_json{{"law", "cycloidal"}, {"over_deg", 0.012}});
   ordered_json document = {{"problem", {{"title", "Long"}, {"motion", list}}},
                            {"segments", list},
                            {"designs", {{{"mechanism", {{"type", "cam"}, {"motion", list}}}}}}};
-  EXPECT_LT(report_html(document, cam.problem, cam.result).size(), 600'000u);
+  EXPECT_LT(report_html(document, cam.problem, cam.result).size(), kPage);
 }
 
 TEST(CamReport, IsAPageThatHoldsTextAsText) {

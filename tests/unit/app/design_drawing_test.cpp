@@ -10,14 +10,15 @@
 #include "analysis/linkage/four_bar.hpp"
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "app/drawing/drive_span.hpp"
 #include "app/report/drawn_findings.hpp"
 #include "app/report/guided_body.hpp"
+#include "problems/linkage/drive_span.hpp"
 #include "tests/support/planted_result.hpp"
 
 namespace cognate::app::design_drawing_test {
 namespace {
 
+using problems::drive_span;
 using synthesis::Pose;
 
 const FourBar kRockerCrank{.pivot_d = {3, 0}, .crank = 2.5, .coupler = 3, .rocker = 1};

@@ -84,7 +84,9 @@ void expect_reads_back(const Problem& problem) {
   const bool in_tables = std::is_same_v<Problem, problems::AnalysisProblem> ||
                          std::is_same_v<Problem, problems::MachineProblem> ||
                          std::is_same_v<Problem, problems::ChainPathProblem> ||
-                         std::is_same_v<Problem, problems::DwellProblem>;
+                         std::is_same_v<Problem, problems::ChainFunctionProblem> ||
+                         std::is_same_v<Problem, problems::DwellProblem> ||
+                         std::is_same_v<Problem, problems::LegProblem>;
   const auto file = in_tables ? toml_of_analysis(written) : toml_of(written);
   const auto again = problems::parse_task<Problem>(file);
   ASSERT_TRUE(again.has_value()) << messages(again.error()) << file;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 namespace cognate::app::progress_test {
@@ -36,10 +37,15 @@ TEST(RateEstimate, ForgetsNoPartOfManyMarks) {
 }
 
 TEST(ProgressWords, TellTimeLeftAndRate) {
-  EXPECT_EQ(share_words(0.25, 0.0125, "best 0.5"), "1:00 left, 1.2 %/s, best 0.5");
-  EXPECT_EQ(share_words(0.25, 0.0125, ""), "1:00 left, 1.2 %/s");
-  EXPECT_EQ(share_words(0, std::nullopt, "best 0.5"), "best 0.5");
-  EXPECT_EQ(share_words(0, std::nullopt, ""), "");
+  const RunPart unnamed, last{"certificate"}, first{"search", 0.5}, endless{"front", NAN};
+  EXPECT_EQ(share_words(unnamed, 0.25, 0.0125, 3, "best 0.5"), "1:00 left, 1.2 %/s, best 0.5");
+  EXPECT_EQ(share_words(last, 0.25, 0.0125, 3, ""), "certificate, 1:00 left, 1.2 %/s");
+  EXPECT_EQ(share_words(first, 0.25, 0.0125, 3, ""), "search, 0:20 left of it, 1.2 %/s");
+  EXPECT_EQ(share_words(first, 0.6, 0.0125, 3, ""), "search, 0:00 left of it, 1.2 %/s");
+  EXPECT_EQ(share_words(endless, 0.25, 0.0125, 67, "best 2"), "front, 1:07 so far, best 2");
+  EXPECT_EQ(share_words(last, 0.2, std::nullopt, 5, ""), "certificate, 0:05 so far");
+  EXPECT_EQ(share_words(unnamed, 0, std::nullopt, 1, "best 0.5"), "best 0.5");
+  EXPECT_EQ(share_words(unnamed, 0, std::nullopt, 1, ""), "");
 }
 
 TEST(ProgressBar, FillsWithTheShare) {

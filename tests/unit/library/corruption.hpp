@@ -59,6 +59,7 @@ class Corruption {
       spoil(pose.angle);
     }
   }
+  void spoil(synthesis::RockerLimitAngle& given) { spoil(given.angle); }
   void spoil(synthesis::PivotLine& line) { spoil(random_() % 2 == 0 ? line.a : line.c); }
   void spoil(FreeMotionParameter& free) {
     if (random_() % 2 == 0) {
@@ -296,21 +297,39 @@ inline void show(Corruption& to, ChainPathProblem& p) {
   show(to, p.solve);
 }
 
+inline void show(Corruption& to, std::variant<FunctionOfX, AnglePairs>& target) {
+  if (auto* f = std::get_if<FunctionOfX>(&target)) {
+    to(f->text, f->table, f->domain, f->input_range, f->output_range);
+  } else {
+    to(std::get<AnglePairs>(target));
+  }
+}
+
+inline void show(Corruption& to, ChainFunctionProblem& p) {
+  to(p.mechanism, p.topologies, p.output, p.objective, p.sample_at,
+     p.constraints.transmission_angle, p.constraints.over);
+  show(to, p.target);
+  show(to, p.solve);
+}
+
 inline void show(Corruption& to, DwellProblem& p) {
   to(p.mechanism, p.topologies, p.output, p.dwells, p.apart, p.swing_min,
      p.constraints.transmission_angle);
   show(to, p.solve);
 }
 
+inline void show(Corruption& to, LegProblem& p) {
+  to(p.mechanism, p.topologies, p.near, p.target.duty, p.target.stride, p.target.height_min,
+     p.target.height_max, p.target.flatness_max, p.target.objective, p.constraints.foot_speed_min,
+     p.constraints.foot_speed_max, p.constraints.transmission_angle);
+  show(to, p.solve);
+}
+
 inline void show(Corruption& to, FunctionProblem& p) {
   to(p.type, p.objective, p.precision_points, p.at, p.spacing, p.multiplicity, p.derivatives,
      p.sample_at, p.start, p.input_start, p.output_start, p.input_start_bounds,
-     p.output_start_bounds, p.best_by);
-  if (auto* f = std::get_if<FunctionOfX>(&p.target)) {
-    to(f->text, f->table, f->domain, f->input_range, f->output_range);
-  } else {
-    to(std::get<AnglePairs>(p.target));
-  }
+     p.output_start_bounds, p.offset, p.offset_bounds, p.best_by);
+  show(to, p.target);
   show(to, p.given);
   show(to, p.bounds);
   show(to, p.constraints);
@@ -326,8 +345,8 @@ inline void show(Corruption& to, MotionProblem& p) {
 }
 
 inline void show(Corruption& to, QuickReturnProblem& p) {
-  to(p.time_ratio, p.type, p.swing, p.crank_pivot_line, p.stroke, p.offset, p.rod, p.ram_height,
-     p.pressure_angle_max);
+  to(p.time_ratio, p.type, p.swing, p.crank_pivot_line, p.limit_angle, p.stroke, p.offset, p.rod,
+     p.ram_height, p.pressure_angle_max);
   show(to, p.given);
   show(to, p.bounds);
   show(to, p.constraints);
@@ -348,11 +367,11 @@ inline void show(Corruption& to, StraightLineProblem& p) {
 inline void show(Corruption& to, AnalysisProblem& p) {
   to(p.mechanism, p.drive.start, p.drive.end, p.drive.steps, p.drive.rate.speed, p.output.position,
      p.output.reactions, p.output.points, p.output.instant_geometry, p.output.curve,
-     p.output.cognates, p.inertias, p.loads, p.gravity);
+     p.output.cognates, p.output.foot, p.output.duty, p.inertias, p.loads, p.gravity);
 }
 
 inline void Corruption::spoil(AnalysisProblem& problem) {
-  Corruption inside(random_() % 14, random_);
+  Corruption inside(random_() % 16, random_);
   problems::show(inside, problem);
 }
 

@@ -56,7 +56,13 @@ Result answer(const PathProblem& p, const Run& run) {
 Result answer(const ChainPathProblem& p, const Run& run) {
   return solve(p, run);
 }
+Result answer(const ChainFunctionProblem& p, const Run& run) {
+  return solve(p, run);
+}
 Result answer(const DwellProblem& p, const Run& run) {
+  return solve(p, run);
+}
+Result answer(const LegProblem& p, const Run& run) {
   return solve(p, run);
 }
 Result answer(const FunctionProblem& p, const Run& run) {

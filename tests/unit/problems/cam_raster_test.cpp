@@ -303,6 +303,10 @@ TEST(CamRaster, RefusesWhatItCannotTry) {
   EXPECT_NE(fault("roller_radius = 5\n[raster]\nlength = 1\nboxes = 5\n[bounds]\noffset = [0, 5]\n")
                 .find("branch and bound"),
             std::string::npos);
+  EXPECT_NE(fault("roller_radius = 5\n[raster]\ncenter = 1\n").find("\"base_radius\""),
+            std::string::npos);
+  EXPECT_EQ(fault("roller_radius = 5\n[raster]\nbase_radius = -1\n").find("puts no dimension"),
+            std::string::npos);
   EXPECT_NE(fault("roller_radius = 5\n[raster]\nlength = 4\n[bounds]\noffset = [1, 3]\n")
                 .find("has no value of offset"),
             std::string::npos);

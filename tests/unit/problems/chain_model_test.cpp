@@ -7,6 +7,7 @@
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/chain/model.hpp"
+#include "problems/chain_function/model.hpp"
 #include "problems/dwell/model.hpp"
 #include "synthesis/optimise/check_derivatives.hpp"
 #include "tests/support/six_bars.hpp"
@@ -119,6 +120,64 @@ TEST(DwellModel, DerivativesAreThoseOfTheValues) {
   const auto error = synthesis::check_derivatives(model, model.start());
   ASSERT_TRUE(error.has_value);
   EXPECT_LT(error.relative, 1e-7) << error.describe(model);
+}
+
+/// A function that the known design errs from by some degrees.
+ChainFunctionProblem some_function() {
+  ChainFunctionProblem problem;
+  problem.topologies = function_topologies("stephenson-3");
+  problem.objective = FunctionObjective::minimax;
+  problem.target = AnglePairs{{-0.3, 0.5}, {0.2, 0.2}, {0.9, -0.1}, {1.4, -0.3}, {2.1, -0.35}};
+  return problem;
+}
+
+TEST(ChainFunctionModel, DerivativesAreThoseOfTheValues) {
+  const auto problem = some_function();
+  const ChainFunctionSpace space(problem, problem.topologies.front(), function_samples(problem));
+  const ChainFunctionDesign design{KnownDwell().design.chain, 0.4};
+  const ChainFunctionModel model(space, design, {{3, 1.0}, {6, 1.9}}, space.fine,
+                                 synthesis::Objective::sum_of_squares);
+  auto x = model.start();
+  x.back() += 0.02;
+  const auto error = synthesis::check_derivatives(model, x);
+  ASSERT_TRUE(error.has_value);
+  EXPECT_LT(error.relative, 1e-7) << error.describe(model);
+}
+
+TEST(ChainFunctionModel, HasNoValueWhereItBeganWithAChainThatDoesNotClose) {
+  const auto problem = some_function();
+  const ChainFunctionSpace space(problem, problem.topologies.front(), function_samples(problem));
+  const ChainFunctionDesign sound{KnownDwell().design.chain, 0.4};
+  const auto has_value = [&](std::size_t parameter, double value) {
+    ChainFunctionDesign begun = sound;
+    begun.chain.parameters[parameter] = value;
+    const auto model_of = [&](const ChainFunctionDesign& design) {
+      return ChainFunctionModel(space, design, {}, space.fine, synthesis::Objective::max_abs);
+    };
+    std::vector<double> errors(space.fine.size());
+    return model_of(begun).residuals(model_of(sound).start(), errors, {}, {});
+  };
+  EXPECT_TRUE(has_value(5, 1.4));
+  EXPECT_FALSE(has_value(5, 0.1));   // BC, with DC of 4.9 and D at 5: far too short
+  EXPECT_FALSE(has_value(11, 1e9));  // EF: its bound is 8
+}
+
+TEST(ChainFunctionModel, LimitsTurnWithTheCranksStart) {
+  const auto problem = some_function();
+  const ChainFunctionSpace space(problem, problem.topologies.front(), function_samples(problem));
+  const ChainFunctionDesign design{KnownDwell().design.chain, 0.4};
+  const auto limits_at = [&](double start, double crank) {
+    const ChainFunctionModel model(space, design, {{6, crank}}, space.fine,
+                                   synthesis::Objective::sum_of_squares);
+    auto x = model.start();
+    x[x.size() - 2] = start;
+    std::vector<double> limits(static_cast<std::size_t>(model.constraint_count()));
+    model.constraints(x, limits, {});
+    return limits;
+  };
+  const auto turned = limits_at(0.4 + 0.25, 1.0), asked = limits_at(0.4, 1.25);
+  EXPECT_NEAR(turned[0], asked[0], 1e-12);
+  EXPECT_GT(std::abs(turned[0] - limits_at(0.4, 1.0)[0]), 1e-3);
 }
 
 }  // namespace

@@ -170,7 +170,7 @@ TEST(GearPairResults, ARunThatIsCutSaysSoAndHasSeenSomeOfAllSizes) {
   problem.teeth_bounds = {{{12, 40}, {20, 110}}};
   problem.modules = {2};
   std::atomic<bool> stop{false};
-  const auto progress = [&](double share, double) { stop = share > 0.02; };
+  const auto progress = [&](double share, double) { stop = share > 0.008; };
   const auto cut = solve(problem, {.threads = 1, .interrupted = &stop, .progress = progress});
   EXPECT_EQ(cut.status, Status::interrupted);
   EXPECT_EQ(cut.designs.size(), 3u);

@@ -42,7 +42,7 @@ TEST(MachineStart, OfALineEndsAsItsClosedFormDoes) {
     return std::exp(std::uniform_real_distribution(std::log(a), std::log(b))(random));
   };
   int within_a_turn = 0, counted = 0;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 50; ++i) {
     LineStart start{between(1e-3, 10), between(1, 1000), between(1, 300), 0};
     start.load = -start.stall * std::uniform_real_distribution(0.0, 0.9)(random);
     const double to_steady = start.time_to(0.99);
@@ -60,8 +60,8 @@ TEST(MachineStart, OfALineEndsAsItsClosedFormDoes) {
                 1e-6 * to_speed);
     ++counted;
   }
-  EXPECT_EQ(counted, 200);
-  EXPECT_GT(within_a_turn, 20);
+  EXPECT_EQ(counted, 50);
+  EXPECT_GT(within_a_turn, 5);
 }
 
 TEST(MachineStart, ThatIsSteadyFromTheBeginningTakesNoTime) {

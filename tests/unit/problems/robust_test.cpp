@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -14,6 +15,7 @@
 #include "problems/basics/quantity_key.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
+#include "tests/support/changed_four_bar.hpp"
 #include "tests/support/folders.hpp"
 
 namespace cognate::problems::robust_test {
@@ -21,23 +23,6 @@ namespace {
 
 double fact(const Result& result, std::string_view name) {
   return find_quantity(result.quantities, QuantityKey<double>{name}).value_or(-1);
-}
-
-/// The coupler point with every length changed by `changes`: crank, coupler, rocker, frame, u, v.
-Vec2d changed_point(const FourBar& bar, const std::vector<double>& changes, double angle) {
-  const Vec2d way = bar.pivot_d - bar.pivot_a;
-  const double frame = std::hypot(way.x, way.y);
-  const Vec2d d = bar.pivot_a + ((frame + changes[3]) / frame) * way;
-  const double crank = bar.crank + changes[0], coupler = bar.coupler + changes[1];
-  const double rocker = bar.rocker + changes[2];
-  const Vec2d b = bar.pivot_a + crank * Vec2d{std::cos(angle), std::sin(angle)};
-  const double diagonal = std::hypot(d.x - b.x, d.y - b.y);
-  const double at_b = std::acos((coupler * coupler + diagonal * diagonal - rocker * rocker) /
-                                (2 * coupler * diagonal));
-  const double to =
-      std::atan2(d.y - b.y, d.x - b.x) + (bar.assembly == Assembly::open ? at_b : -at_b);
-  return b +
-         Vec2d{std::cos(to), std::sin(to)} * (*bar.coupler_point + Vec2d{changes[4], changes[5]});
 }
 
 /// 99 % of the samples have no target farther than this from the curve near its crank angle.
@@ -50,29 +35,17 @@ double quantile(const FourBar& bar, const std::vector<double>& angles,
   for (int k = 0; k < kSamples; ++k) {
     std::vector<double> changes(6);
     for (double& change : changes) change = normal(random);
-    double greatest = 0;
-    for (std::size_t j = 0; j < targets.size(); ++j) {
-      const auto from = [&](double angle) {
-        const Vec2d off = changed_point(bar, changes, angle) - targets[j];
-        return std::hypot(off.x, off.y);
-      };
-      double low = angles[j] - 0.15, high = angles[j] + 0.15;
-      for (int i = 0; !timed && i < 26; ++i) {
-        const double one = low + 0.381966 * (high - low), two = high - 0.381966 * (high - low);
-        (from(one) < from(two) ? high : low) = from(one) < from(two) ? two : one;
-      }
-      greatest = std::max(greatest, from(0.5 * (low + high)));
-    }
-    errors.push_back(greatest);
+    errors.push_back(test::changed_path_error(bar, changes, angles, targets, timed ? 0 : 0.15));
   }
   std::ranges::sort(errors);
   return errors[static_cast<std::size_t>(0.99 * kSamples)];
 }
 
 TEST(RobustPaths, EllipseErrsFarLessThanTheNominalOptimum) {
-  const auto read = read_task(std::filesystem::path(kLibraryFolder) / "path/ellipse-robust.toml");
+  auto read = read_task(std::filesystem::path(kLibraryFolder) / "path/ellipse-robust.toml");
   ASSERT_TRUE(read);
-  const auto& problem = std::get<PathProblem>(*read);
+  auto& problem = std::get<PathProblem>(*read);
+  problem.solve.starts = 400;
   const Result result = solve(problem, {});
   ASSERT_EQ(result.status, Status::solved);
   const double robust = fact(result, "robust_quantile"), nominal = fact(result, "nominal_quantile");
@@ -89,6 +62,31 @@ TEST(RobustPaths, EllipseErrsFarLessThanTheNominalOptimum) {
   const auto& columns = result.families.front().columns;
   EXPECT_TRUE(std::ranges::is_sorted(columns[0].values));
   EXPECT_TRUE(std::ranges::is_sorted(columns[1].values, std::ranges::greater{}));
+}
+
+/// A stop that comes while robust designs are sought: what is known by then, and no million
+/// samples.
+TEST(RobustPaths, ASearchThatIsStoppedJudgesByFewerSamples) {
+  auto read = read_task(std::filesystem::path(kLibraryFolder) / "path/ellipse-robust.toml");
+  ASSERT_TRUE(read);
+  auto& problem = std::get<PathProblem>(*read);
+  problem.solve.starts = 100;
+  std::atomic<bool> stop = false;
+  std::vector<double> shares;
+  const Result result =
+      solve(problem, {.threads = 1, .interrupted = &stop, .progress = [&](double share, double) {
+                        if (share > 0.6) shares.push_back(share);  // of the search for robust ones
+                        stop = share > 0.8;
+                      }});
+  EXPECT_EQ(result.status, Status::interrupted);
+  EXPECT_TRUE(std::ranges::is_sorted(shares)) << testing::PrintToString(shares);
+  EXPECT_GT(shares.size(), 3U);
+  EXPECT_EQ(fact(result, "robust_samples"), 30'000);
+  ASSERT_FALSE(result.designs.empty());
+  const Design& first = result.designs.front();
+  const double robust = fact(result, "robust_quantile");
+  EXPECT_NEAR(quantile(four_bar(first), first.crank_angles, problem.points, 0.05, false), robust,
+              0.05 * robust);
 }
 
 TEST(RobustPaths, TimedPathsAreNoWorseThanTheNominalOptimum) {
@@ -124,7 +122,7 @@ TEST(RobustFunctions, TheSineErrsLessByHalf) {
       "kind = \"function-generation\"\n[target]\nfunction = \"sin(x)\"\ndomain = [0, \"pi/2\"]\n"
       "input_range_deg = 90\noutput_range_deg = 90\nsamples = 61\n[mechanism]\nframe = 1\n"
       "[bounds]\ncrank = [0.02, 50]\ncoupler = [0.02, 50]\nrocker = [0.02, 50]\n[tolerance]\n"
-      "length = 0.01\n[solve]\nrobust = 0.99\n");
+      "length = 0.01\n[solve]\nrobust = 0.99\nstarts = 40\n");
   ASSERT_TRUE(read);
   const Result result = solve(std::get<FunctionProblem>(*read), {});
   ASSERT_EQ(result.status, Status::solved);

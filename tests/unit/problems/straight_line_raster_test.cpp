@@ -133,12 +133,12 @@ double greatest_length(const Links& links, double deviation) {
 }
 
 constexpr double kPoint = 9;
-const std::vector<double> kCranks{1, 1.5, 2, 2.5}, kOthers{3.5, 4, 4.5, 5};
+const std::vector<double> kCranks{1, 1.75, 2.4}, kCouplers{3.5, 4, 4.5, 5}, kOthers{3.5, 4.25, 5};
 
 /// Of all crank-rockers of the lists.
 void for_each_crank_rocker(const std::function<void(const Links&)>& body) {
   for (const double crank : kCranks) {
-    for (const double coupler : kOthers) {
+    for (const double coupler : kCouplers) {
       for (const double rocker : kOthers) {
         for (const double frame : kOthers) {
           const Links links{crank, coupler, rocker, frame, kPoint};
@@ -160,7 +160,7 @@ std::string file(const std::string& target) {
 }
 
 StraightLineProblem problem_of(std::string text) {
-  // The coupler from the same list, by a step within bounds of its own.
+  // The coupler from its list, by a step within bounds of its own.
   const auto at = text.find("length = [0.5, 6]");
   if (at != std::string::npos) text.insert(at, "coupler = [3.5, 5]\n");
   const auto problem = parse_task(text);
@@ -181,11 +181,12 @@ Links links_of(const Result& result) {
 void expect_on_raster(const Result& result) {
   ASSERT_EQ(result.status, Status::solved);
   EXPECT_TRUE(find_quantity(result.quantities, QuantityKey<bool>{"raster_proven"}).value_or(false));
-  EXPECT_EQ(fact(result, "raster_combinations"), 256);
+  EXPECT_EQ(fact(result, "raster_combinations"), 108);
   EXPECT_TRUE(all_satisfied(result.designs.front().constraints));
   const Links links = links_of(result);
   EXPECT_EQ(std::ranges::count(kCranks, links.crank), 1);
-  for (const double other : {links.coupler, links.rocker, links.frame}) {
+  EXPECT_EQ(std::ranges::count(kCouplers, links.coupler), 1);
+  for (const double other : {links.rocker, links.frame}) {
     EXPECT_EQ(std::ranges::count(kOthers, other), 1);
   }
 }
@@ -203,6 +204,22 @@ TEST(StraightLineRaster, HasTheLeastDeviationOfAllCombinations) {
   EXPECT_GT(fact(result, "rounded_error"), fact(result, "raster_error") * (1 - 1e-9));
 }
 
+TEST(StraightLineRaster, ClaimsNoProofWhereADimensionIsFree) {
+  constexpr double kLength = 4;
+  double best = kNothing;
+  for_each_crank_rocker([&](const Links& links) {
+    if (links.size() <= 3 * kLength) best = std::min(best, least_deviation(links, kLength));
+  });
+  std::string text = file("length = 4");
+  const auto at = text.find("rocker = [");
+  text.erase(at, text.find('\n', at) + 1 - at);
+  const Result result = solve(problem_of(text), {.threads = 1});
+  ASSERT_EQ(result.status, Status::solved);
+  EXPECT_FALSE(find_quantity(result.quantities, QuantityKey<bool>{"raster_proven"}).value_or(true));
+  EXPECT_EQ(fact(result, "raster_combinations"), 36);
+  EXPECT_LT(fact(result, "raster_error"), best);
+}
+
 TEST(StraightLineRaster, HasTheGreatestLengthOfAllCombinations) {
   constexpr double kDeviation = 0.02;
   double best = 0;
@@ -213,6 +230,20 @@ TEST(StraightLineRaster, HasTheGreatestLengthOfAllCombinations) {
   const Result result = solve(problem_of(file("deviation = 0.02")), {.threads = 1});
   expect_on_raster(result);
   EXPECT_NEAR(fact(result, "raster_length"), best, 2e-3 * best);
+}
+
+TEST(StraightLineRaster, HasTheLeastSizeOfAllCombinations) {
+  constexpr double kLength = 4, kDeviation = 0.02;
+  double best = kNothing;
+  for_each_crank_rocker([&](const Links& links) {
+    if (links.size() >= std::min(best, 3 * kLength)) return;
+    if (least_deviation(links, kLength) <= kDeviation) best = links.size();
+  });
+  ASSERT_LT(best, kNothing);
+  const Result result = solve(problem_of(file("length = 4\ndeviation = 0.02")), {.threads = 1});
+  expect_on_raster(result);
+  EXPECT_NEAR(fact(result, "raster_size"), best / kLength, 1e-9);
+  EXPECT_LE(least_deviation(links_of(result), kLength), kDeviation * (1 + 1e-6));
 }
 
 TEST(StraightLineRaster, RefusesWhatItCannotDo) {

@@ -229,7 +229,6 @@ TEST(StraightLineSearch, KeepsTheSpeedBetweenNodes) {
   EXPECT_LE(quantity(result.designs[0], "speed_variation"), 0.1 * (1 + 1e-6));
 }
 
-/// A smaller linkage is never straighter.
 /// What a narrower range of the crank allows, a wider one allows too.
 TEST(StraightLineSearch, FindsInAWiderRangeWhatANarrowerOneHolds) {
   const auto deviation = [](const std::string& range) {
@@ -240,6 +239,18 @@ TEST(StraightLineSearch, FindsInAWiderRangeWhatANarrowerOneHolds) {
     return result.designs.empty() ? NAN : quantity(result.designs[0], "deviation_relative");
   };
   EXPECT_LE(deviation("[90, 180]"), 1.001 * deviation("[90, 110]"));
+}
+
+/// The deviation of a linkage that is given is greatest between the nodes of the fit, by little.
+TEST(StraightLineSearch, MeetsALimitOnTheDeviationBetweenItsNodesToo) {
+  const Result result = solve_text(
+      "[target]\ndeviation = 0.05\n[mechanism]\ncoupler_point = [4.96, 0]\ncrank = 2.65\n"
+      "coupler = 4.18\nrocker = 5.1\nframe = 3.92\n[constraints]\nclass = \"crank-rocker\"\n"
+      "size_over_length_max = 3\n[solve]\nstarts = 20\n");
+  ASSERT_EQ(result.status, Status::solved);
+  EXPECT_LE(quantity(result.designs[0], "deviation"), 0.05 * (1 + 1e-6));
+  // The longest by a scan of all segments.
+  EXPECT_GT(quantity(result.designs[0], "straight_length"), 3.82);
 }
 
 TEST(StraightLineSearch, HasAFrontThatFalls) {

@@ -19,7 +19,7 @@ function lengthsOf({ flat, knife, oscillating }) {
 
 // Of a roller's cam, base_radius is that of the prime circle, about which the pitch curve lies; that of the
 // base circle, about which the profile lies, is less by the roller's.
-const radiusKey = ({ flat, knife }) => (flat || knife ? "base_radius" : "prime_radius");
+export const radiusKey = ({ flat, knife }) => (flat || knife ? "base_radius" : "prime_radius");
 
 export const radiusText = (kind, radius, digits) => say(`head.${radiusKey(kind)}`, { value: number(radius, digits) });
 

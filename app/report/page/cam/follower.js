@@ -106,7 +106,7 @@ export class Follower {
     const pivot = this.local(design.first.pivot);
     for (const body of design.bodies) {
       const group = svg("g", { class: "follower" });
-      group.append(...(design.kind.flat ? this.#swingingFace(body) : [svg("path", { class: "stem", d: barPath([0, 0], [scale * body.arm, 0], 0.3 * u) })]));
+      group.append(...(design.kind.flat ? this.#swingingFace(body) : design.kind.knife ? this.#swingingEdge(body) : [svg("path", { class: "stem", d: barPath([0, 0], [scale * body.arm, 0], 0.3 * u) })]));
       this.front.append(group);
       this.moving.push((deg) => {
         const { arm, normal } = body.arms(deg);
@@ -125,6 +125,14 @@ export class Follower {
     const from = Math.min(low - 0.45 * u, 0);
     const plate = svg("rect", { class: "stem face", x: round(from), y: round(face), width: round(high + 0.45 * u - from), height: round(0.42 * u), rx: 2 });
     return [svg("path", { class: "stem", d: barPath([0, 0], [0, face + 0.2 * u], 0.4 * u) }), plate];
+  }
+
+  // An arm above its edge, which points to the cam.
+  #swingingEdge(body) {
+    const { scale, u } = this;
+    const [tip, half, foot] = [scale * body.arm, 0.36 * u, 0.9 * u];
+    return [svg("path", { class: "stem", d: barPath([0, 0], [tip, foot], 0.3 * u) }),
+      svg("path", { class: "stem edge", d: `M${round(tip)} 0L${round(tip - half)} ${round(foot)}H${round(tip + half)}Z` })];
   }
 
   // Rollers roll: a mark on each shows how fast.

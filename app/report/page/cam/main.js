@@ -1,7 +1,7 @@
 // The page of a cam: where it stands, and everything that follows from it.
 
 import { followTheme } from "../appearance.js";
-import { showChecks, showMetrics } from "../checks.js";
+import { checkRows, showChecks, showMetrics } from "../checks.js";
 import { Controls, saveResult, saveText } from "../controls.js";
 import { Curves } from "../curves.js";
 import { byId, element } from "../dom.js";
@@ -12,10 +12,15 @@ import { showHead, showNotes, showWarnings, showWork } from "../head.js";
 import { Saves } from "../saves.js";
 import { legendItem } from "../shapes.js";
 import { offerNoEdit } from "../original.js";
+import { showProblem } from "../problem.js";
 import { makeSortable } from "../sortable.js";
 import { Trace } from "../trace.js";
-import { say, sentenceOf } from "../words.js";
+import { Kernel } from "../kernel.js";
+import { TableEditor } from "../edit/table_editor.js";
+import { camFields, camRows, givenCam } from "./edited.js";
+import { LENGTH_UNIT, say, sentenceOf } from "../words.js";
 import { Zoom } from "../zoom.js";
+import { showRaster } from "../design/raster.js";
 import { camCsv, camMetrics, CamValues, radiusText, showCamDimensions, showSegments } from "./facts.js";
 import { ToleranceCard } from "../tolerance/card.js";
 import { CamDesign } from "./model.js";
@@ -36,7 +41,9 @@ const values = new CamValues();
 const controls = new Controls((seconds) => goTo(state.deg + controls.player.pace * controls.player.speed * seconds),
   (sense, large) => goTo(state.deg + sense * (large ? 10 : 1), true));
 
-const current = () => designs[state.index];
+// The design shown: one of the result, or what an edit has made of it.
+let edited = null;
+const current = () => edited ?? designs[state.index];
 
 // Everything that follows the cam; angles beyond a turn go on in the next. `byHand` stops the clock.
 function goTo(deg, byHand = false) {
@@ -83,15 +90,22 @@ function showLegend() {
 }
 
 function choose(index) {
+  editor?.close(false);
+  edited = scene.original = null;
   state.index = index;
   for (const [i, button] of [...byId("designs").children].entries()) button.setAttribute("aria-pressed", String(i === index));
+  showDesign();
+  showWarnings(result.designs?.[index]);
+  tolerances.show(result.designs?.[index]?.tolerance, { xOf: (deg) => deg, range: [0, 360], xLabel: say("sheet.cam_angle"), size: 1, mover: null, limit: result.problem?.tolerance?.yield?.max_error });
+}
+
+// Everything that is said and drawn of the design shown.
+function showDesign() {
   const design = current();
   showCamDimensions(design);
   showMetrics(camMetrics(design.drawn.metrics).filter(({ name }) => !name.startsWith("tolerance_")));
   showChecks(design.drawn.constraints);
   showSegments(design, (deg) => goTo(deg, true));
-  showWarnings(result.designs?.[index]);
-  tolerances.show(result.designs?.[index]?.tolerance, { xOf: (deg) => deg, range: [0, 360], xLabel: say("sheet.cam_angle"), size: 1, mover: null, limit: result.problem?.tolerance?.yield?.max_error });
   document.querySelector("[data-layer=base]").textContent = circleName(design.kind);
   byId("rates").hidden = !design.drawn.speed;
   if (!design.drawn.speed) state.byTime = false;
@@ -99,6 +113,18 @@ function choose(index) {
   drawCurves();
   drawScene();
 }
+
+// What an edit has made of the design, and its problem; the design as it was found for null.
+function showEdited(drawn, problem) {
+  edited = drawn && new CamDesign(drawn.designs[0], drawn);
+  scene.original = drawn && designs[state.index].first;
+  showProblem(problem, kindName());
+  showNotes((drawn ?? result).notes ?? [], drawn ? [] : result.warnings);
+  showWarnings(drawn ? {} : result.designs?.[state.index]);
+  showDesign();
+}
+
+const kindName = () => say(data.oscillating ? "kind.cam_an" : "kind.cam", { follower: say(`follower.${data.follower}`) });
 
 function showChoice() {
   byId("choice").hidden = designs.length < 2;
@@ -144,12 +170,16 @@ function listen() {
   new Saves(byId("stage"), byId("picture"), { title: () => result.problem?.title, go: (share) => { if (!share) stood = state.deg; goTo(359.999 * share, true); }, back: () => goTo(stood) });
 }
 
-offerNoEdit(say("edit.by_file"));
-showHead(result, say(data.oscillating ? "kind.cam_an" : "kind.cam", { follower: say(`follower.${data.follower}`) }),
+const editor = Kernel.available && designs.length && result.problem?.motion && result.designs?.[0]?.mechanism?.motion
+  ? new TableEditor({ call: "cam", problem: result.problem, hint: say("edit.hint_cam"), kept: ["choice", "work", "raster", "tolerances"], first: () => givenCam(result.problem, result.designs[state.index]),
+    fields: camFields, rows: camRows, checks: ({ designs: [design] }) => checkRows(design.constraints), show: showEdited }) : null;
+if (!editor) offerNoEdit(say(Kernel.available && designs.length ? "edit.too_large" : "edit.by_file"));
+showHead(result, kindName(),
   [say("count.designs", { n: designs.length }), designs.length ? radiusText(designs[0].kind, designs[0].drawn.dimensions.base_radius, 6) : "", result.work ? duration(result.work.seconds) : ""],
   say("head.keys_cam"));
 showNotes(result.notes ?? [], result.warnings);
 showWork(result.work);
+showRaster(result.facts, { sizeUnit: LENGTH_UNIT });
 followTheme(() => { curves.redraw(); tolerances.redraw(); });
 if (result.problem && !result.problem.motion) byId("save").textContent = say("save.without_motion");
 byId("save").addEventListener("click", () => saveResult(result));

@@ -17,6 +17,7 @@ export class CamScene extends Picture {
     super(frame, say("picture.cam"), onDrag);
     this.shown = { pressure: true, pitch: true, base: true };
     this.held = "frame";
+    this.original = null;  // the cam before it was edited
   }
 
   // What is in the picture at any cam angle.
@@ -93,6 +94,7 @@ export class CamScene extends Picture {
       envelope: svg("path", { class: "envelope", d: envelopePath(first, scale) }),
     };
     const strokes = design.strokes().map(({ stroke, points }) => svg("path", { class: `stroke ${stroke}`, d: pathThrough(points.map((p) => this.local(p))) }));
+    if (this.original) this.camGroup.append(svg("path", { class: "edit-ghost", d: this.closed(this.original.profile) }));
     this.camGroup.append(this.camParts.envelope, this.camParts.comb, this.camParts.base, this.camParts.pitch, ...strokes, this.#hub());
   }
 

@@ -80,6 +80,16 @@ function stretchMarks(view, stretch) {
   return [svg("path", { class: "straight", d: pathThrough([points[0], points.at(-1)]) }), svg("path", { class: "stretch", d: pathThrough(points) })];
 }
 
+// The part of a foot's path in which it stands, and the ground below.
+function walkMarks(view, walk) {
+  if (!walk) return [];
+  const points = walk.stance;
+  const ways = points.map(([x]) => x);
+  const [from, to] = [Math.min(...ways), Math.max(...ways)], beyond = 0.08 * (to - from);
+  const ground = [from - beyond, to + beyond].map((x) => view.screen([x, walk.ground]));
+  return [svg("path", { class: "straight", d: pathThrough(ground) }), svg("path", { class: "stretch", d: pathThrough(points.map((p) => view.screen(p))) })];
+}
+
 // A closed curve that is to be followed.
 function outlineMark(view, outline) {
   if (outline.length === 0) return [];
@@ -88,7 +98,7 @@ function outlineMark(view, outline) {
 
 // All that stands behind a design, and all that stands before it.
 export function backdropOf(view, design, options) {
-  return [...locusShapes(view, options.loci, options.shownLoci), ...outlineMark(view, design.outline), ...bodyGhosts(view, design.guided), ...stretchMarks(view, design.stretch)];
+  return [...locusShapes(view, options.loci, options.shownLoci), ...outlineMark(view, design.outline), ...bodyGhosts(view, design.guided), ...stretchMarks(view, design.stretch), ...walkMarks(view, design.walk)];
 }
 export function targetsOf(view, design, options) {
   const marks = design.poses.length ? poseMarks(view, design.poses) : [];

@@ -7,7 +7,7 @@ import { showHead } from "../head.js";
 import { isOfComputation, showMore } from "../meaning.js";
 import { errorText, sizeOf, withoutRounding } from "../rounding.js";
 import { RADIANS } from "../sampling.js";
-import { LENGTH_UNIT, knows, say, term } from "../words.js";
+import { keyword, LENGTH_UNIT, knows, say, term } from "../words.js";
 import { ofRaster } from "./raster.js";
 import { ERRORS, isExact, isSearched, originText, straightLength } from "./table.js";
 
@@ -60,7 +60,7 @@ function partText(value, key) {
   if (typeof value === "number") return key.endsWith("_deg") ? degreesShort(value, 7) : number(value, 7);
   if (Array.isArray(value)) return value.map((part) => partText(part, "")).join(", ");
   if (typeof value !== "object" || value === null) return term(String(value));
-  return Object.entries(value).map(([name, part]) => `${term(name.replace(/_deg$/, "").replaceAll("_", " "))} ${partText(part, name)}`).join(say("list.semicolon"));
+  return Object.entries(value).map(([name, part]) => `${keyword(name) ?? term(name.replace(/_deg$/, "").replaceAll("_", " "))} ${partText(part, name)}`).join(say("list.semicolon"));
 }
 
 // Metrics with their levels joined by dots, as `cognate list --metrics` names them.
@@ -70,7 +70,7 @@ export function flatMetrics(table, above = "") {
 }
 
 // Metrics that have a row of their own; all others are listed by their names.
-const SHOWN_METRICS = /^(tolerance_.*|class|change_point|transmission_angle_deg\..*|time_ratio|defects|input_start_deg|output_start_deg|precision_residual|condition)$/;
+const SHOWN_METRICS = /^(tolerance_.*|layers\..*|class|change_point|transmission_angle_deg\..*|time_ratio|defects|input_start_deg|output_start_deg|precision_residual|condition)$/;
 
 function otherMetrics(metrics) {
   const facts = flatMetrics(metrics).filter(([name]) => !SHOWN_METRICS.test(name)).map(([name, value]) => ({ name, value }));

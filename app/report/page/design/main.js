@@ -31,6 +31,8 @@ import { MechanismDesign } from "./mechanism_design.js";
 import { Design, fittingMagnification, MAGNIFICATIONS, turnInto } from "./model.js";
 import { DesignTable, isFourBar } from "./table.js";
 import { Editor } from "../edit/editor.js";
+import { BillCard } from "../workshop/bill.js";
+import { LayersCard } from "../workshop/layers.js";
 import { ToleranceCard } from "../tolerance/card.js";
 import { ToleranceLayer } from "../tolerance/layer.js";
 import { designTolerances } from "../tolerance/of_design.js";
@@ -38,9 +40,9 @@ import { designTolerances } from "../tolerance/of_design.js";
 const data = JSON.parse(embedded("data"));
 const { result } = data;
 const { kind } = data.target;
-const isFunction = kind === "function";
 const makeDesign = (entry, i) => (data.designs[i].motion ? new Design(entry, data.designs[i], data.target) : new MechanismDesign(entry, data.designs[i], data.target));
 const designs = result.designs.map(makeDesign);
+const isFunction = kind === "function" && designs.some((design) => design.linkage);
 const loci = data.loci ?? [];
 const state = { index: 0, crank: 0, framing: "whole", magnify: 0, shownLoci: new Set(loci.keys()) };
 let scene = null;
@@ -106,11 +108,12 @@ function setMagnification(step) {
 function showLegend(magnification) {
   const design = current();
   const own = isFunction && design.trace ? [legendItem("target", "dashed", say("legend.wanted_output", { scale: magnification }))] : [];
-  if (design.boxes.curve) own.push(legendItem("curve", "line", say("legend.coupler_curve")));
+  if (design.boxes.curve) own.push(legendItem("curve", "line", say(design.walk ? "walk.foot_path" : "legend.coupler_curve")));
   if (design.poses.length) own.push(legendItem("target", "line", say("legend.pose_wanted")), legendItem("coupler", "line", say("legend.body_reached")));
   else if (design.outline.length) own.push(legendItem("target", "line", say("legend.target")));
   else if (design.targets.length) own.push(legendItem("target", "dot", say("legend.target")));
   if (design.targets.length) own.push(legendItem("error", "line", say("legend.error", { scale: magnification })));
+  if (design.walk) own.push(legendItem("error", "line", say("walk.stance")), legendItem("target", "dashed", say("walk.ground")));
   if (design.stretch.length) own.push(legendItem("error", "line", say("legend.straight")));
   byId("legend").replaceChildren(...scene.legend(), ...own, ...extras.legend());
 }
@@ -148,6 +151,8 @@ function choose(index) {
   scene = design.sceneIn(byId("picture"), (crank) => turnTo(crank, true));
   setDrive(design);
   tolerances.show(design.entry.tolerance, designTolerances(design, result.problem, kind));
+  layers.show(design.entry.layers);
+  bill.show(data.designs[index].bill);
   if (extras.shown.has(toleranceLayer)) extras.toggle(toleranceLayer, false);
   setFraming(design.assembles ? bestFraming(design.boxes) : "whole");
   byId("magnify-label").hidden = !isFunction && design.targets.length === 0;
@@ -209,6 +214,8 @@ const pinned = designs.length > 1 || Kernel.available ? new Pinned(document.quer
   follow(current());
 }) : null;
 const traced = new TracedPoints(byId("picture"), notes, () => extras.toggle(traced, traced.points.length > 0));
+const bill = new BillCard(byId("curves"));
+const layers = new LayersCard(byId("curves"), { goTo: (drive) => turnTo(drive, true), driveText: (drive) => (designs[state.index].angular ? degrees(drive) : number(drive, 5)) });
 const tolerances = new ToleranceCard(byId("curves"), { goTo: (drive) => turnTo(drive, true), redraw: (on) => extras.toggle(toleranceLayer, on || extras.shown.has(toleranceLayer)) });
 const toleranceLayer = new ToleranceLayer(tolerances);
 const extras = new Extras(byId("extras"), [toleranceLayer, ...(pinned ? [pinned] : []), traced, new Trace(), new Vectors("velocity", "v"), new Vectors("acceleration", "c"), new Lens(byId("picture")),
@@ -224,7 +231,7 @@ showDesignHead(result, kind);
 showNotes([...certificateNote(result.certificate), ...(result.notes ?? [])], result.warnings);
 byId("families").after(byId("problem"));
 showFindings(result.facts);
-showRaster(result.facts, designs[0]?.entry.error?.max_deg !== undefined);
+showRaster(result.facts, { angular: designs[0]?.entry.error?.max_deg !== undefined });
 showWork(result.work);
 followTheme(() => { curves.redraw(); tolerances.redraw(); families?.redraw(); if (front?.shown) front.draw(); });
 if (loci.length && !result.loci) byId("save").textContent = say("save.without_curves");

@@ -2,12 +2,13 @@
 
 import { degrees, number, sentence } from "../format.js";
 import { Mechanism } from "../mechanism.js";
-import { interpolate, locate } from "../sampling.js";
+import { interpolate, locate, lookUp } from "../sampling.js";
 import { boxOf } from "../view.js";
 import { say, term } from "../words.js";
 import { DesignMechanismScene, EmptyScene } from "./design_mechanism_scene.js";
 import { largestDistance, stretchOf, takeTargets, turnInto } from "./model.js";
-import { deviationSheet, distanceSheet, overDrive } from "./sheets.js";
+import { deviationSheet, distanceSheet, overDrive, structuralErrorSheet } from "./sheets.js";
+import { Walk } from "./walk.js";
 
 // The samples from the first to the last at which every body is placed.
 function placedSamples(drawn) {
@@ -28,6 +29,8 @@ export class MechanismDesign {
     this.angular = drawn.drive?.kind !== "slider";
     this.driveName = drawn.drive ? sentence(term(drawn.drive.name)) : say("part.drive");
     this.stations = drawn.stations ?? [];
+    this.trace = drawn.trace?.crank_deg.length ? drawn.trace : null;
+    if (this.trace) this.span = [Math.min(...this.trace.crank_deg), Math.max(...this.trace.crank_deg)];
     this.assembles = Boolean(samples) && samples.drive.length > 1;
     const ends = this.assembles ? [samples.drive[0], samples.drive.at(-1)] : [0, 1];
     this.fullTurn = Boolean(drawn.drive?.round);
@@ -39,7 +42,15 @@ export class MechanismDesign {
     this.point = this.mechanism.points.find((point) => traced(point) && point.moves) ?? null;
     this.boxes = this.#boxes();
     this.stretch = target.kind === "straight-line" ? stretchOf(entry, (drive) => this.pointAt(drive)) : [];
-    this.crank = this.within(this.stations[0] ?? this.from);
+    this.walk = this.#walk(target);
+    this.crank = this.within(this.stations[0] ?? this.walk?.from ?? this.from);
+  }
+
+  // Of a leg how its foot walks; nothing where it has no stance.
+  #walk({ kind }) {
+    const { crank_deg: ends = [], metrics } = this.entry;
+    if (kind !== "leg" || !this.point || ends.length !== 2 || !this.point.path.every(Boolean)) return null;
+    return new Walk(ends, this.mechanism.samples, this.point.path, metrics);
   }
 
   // The coordinate within the motion that is nearest to `drive`.
@@ -75,8 +86,13 @@ export class MechanismDesign {
     return { curve: this.point ? boxOf([...this.point.path, ...this.targets]) : null, moving, whole: boxOf([...corners, ...this.targets]) };
   }
 
-  errorAt() { return null; }
-  get largestError() { return largestDistance(this.targets, this.reached); }
+  errorAt(crank) { return this.trace?.x ? this.between(crank, this.trace.crank_deg, this.trace.error_deg) : null; }
+  get largestError() { return this.trace ? Math.max(...this.trace.error_deg.map(Math.abs)) : largestDistance(this.targets, this.reached); }
+
+  // `value` carried from one list to another; crank angles are first turned into the range used.
+  between(value, from, to, isCrank = true) {
+    return lookUp(isCrank ? turnInto(value, this.span) : value, from, to);
+  }
   get played() { return [this.from, this.to, this.fullTurn]; }
 
   sceneIn(frame, onDrag) {
@@ -106,6 +122,8 @@ export class MechanismDesign {
     const text = (v) => (turns ? degrees(v, 1) : say("sheet.length", { value: number(v, 5) }));
     const sheet = { ...overDrive(this), x: drives, title: say(turns ? "sheet.angle_of" : "sheet.displacement_of", { name: this.outputName }),
       lines: [{ y: values, colour: "--rocker" }], note: say(turns ? "sheet.swing" : "sheet.stroke", { value: text(greatest - least) }), summary: say("curves.range", { least: text(least), greatest: text(greatest) }) };
-    return [sheet, this.stretch.length ? deviationSheet(this) : distanceSheet(this)].filter(Boolean);
+    if (this.walk) return [...this.walk.sheets(overDrive(this)), sheet];
+    const error = this.trace ? structuralErrorSheet(this) : this.stretch.length ? deviationSheet(this) : distanceSheet(this);
+    return [sheet, error].filter(Boolean);
   }
 }

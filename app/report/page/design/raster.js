@@ -16,15 +16,16 @@ function barWidths(values) {
   return values.map((value) => (value > 0 ? (high > low ? 20 + (80 * (Math.log10(value) - low)) / (high - low) : 100) : 0));
 }
 
-// What is best on the raster: an error, of straight lines also a length or a size over the length.
-const MEASURES = ["error", "length", "size"];
+// What is best on the raster: an error, of straight lines also a length or a size over the length, of cams a size.
+const MEASURES = ["error", "error_deg", "error_relative", "length", "size"];
 
-export function showRaster(facts, angular) {
+// `angular`: an error is one of angles; `sizeUnit`: of a size, which mostly is over a length.
+export function showRaster(facts, { angular = false, sizeUnit = "" } = {}) {
   const measure = MEASURES.find((one) => facts?.[`raster_${one}`] !== undefined);
   byId("raster").hidden = !measure;
   if (!measure) return;
-  const unit = measure === "size" ? "" : LENGTH_UNIT ?? "";
-  const text = (value) => (angular ? degreesShort(value, 4) : `${number(value, 4)} ${unit}`.trim());
+  const unit = measure === "size" ? sizeUnit : measure === "error_relative" ? "" : LENGTH_UNIT ?? "";
+  const text = (value) => (measure === "error_deg" || (angular && measure === "error") ? degreesShort(value, 4) : `${number(value, 4)} ${unit}`.trim());
   const [continuous, best, rounded] = ["continuous", "raster", "rounded"].map((of) => facts[`${of}_${measure}`]);
   const rows = [["continuous", continuous], ["on_raster", best], ["rounded", rounded]].filter(([, value]) => typeof value === "number");
   const widths = barWidths(rows.map(([, value]) => value));
@@ -38,7 +39,7 @@ export function showRaster(facts, angular) {
   const { raster_combinations: all, raster_covered: covered, raster_evaluated: evaluated, raster_boxes: boxes, raster_bound: bound, raster_gap: gap } = facts;
   const pairs = [["raster.bound", typeof bound === "number" ? text(bound) : null], ["raster.gap", typeof gap === "number" ? share(gap) : null],
     ["raster.covered", all > 0 ? say("raster.covered_of", { covered: number(covered, 3), all: number(all, 3), share: share(covered / all) }) : null],
-    ["raster.evaluated", typeof evaluated === "number" ? evaluated.toLocaleString() : null], ["raster.boxes", typeof boxes === "number" ? boxes.toLocaleString() : null],
+    ["raster.evaluated", typeof evaluated === "number" ? evaluated.toLocaleString() : null], ["raster.boxes", boxes > 0 ? boxes.toLocaleString() : null],
     ["raster.proven", say(facts.raster_proven ? "raster.is_proven" : facts.raster_complete ? "raster.is_complete" : "raster.is_open")]];
   byId("raster-list").replaceChildren(...pairs.filter(([, value]) => value !== null).map(([key, value]) => element("div", {}, ...fact(say(key), value))));
 }

@@ -97,7 +97,7 @@ function precisionSpots(design, cranks, x) {
   return stations.filter(holds).map((deg) => design.between(deg, cranks, x)).filter((at) => at !== null).map((at) => ({ x: at, y: 0, colour: "--target" }));
 }
 
-function structuralErrorSheet(design) {
+export function structuralErrorSheet(design) {
   const { trace } = design;
   if (isRounding(design.largestError, 1 / RADIANS)) return null;
   const byX = trace.x !== null;

@@ -18,6 +18,7 @@ const unlessExact = (show) => (entry) => (isExact(entry) ? say("rounding.exact_s
 export const ERRORS = {
   function: { name: say("designs.largest_error"), text: ({ error }) => largestText(error, 4) },
   dwell: { name: say("designs.half_band"), text: ({ error }) => largestText(error, 4) },
+  leg: { name: say("designs.flatness"), text: ({ metrics }) => number(metrics.flatness, 3), value: ({ metrics }) => metrics.flatness },
   path: { name: say("designs.sum_of_squares"), text: ({ error }) => number(error.sum_of_squares, 5), value: ({ error }) => error.sum_of_squares },
   motion: { name: say("designs.largest_error"), text: ({ error }) => number(error.max, 3) },
 };

@@ -73,7 +73,7 @@ export class Editor {
   #press(on) {
     this.toggle.setAttribute("aria-pressed", String(on));
     byId("main").classList.toggle("editing", on);
-    markOriginal(["choice", "notes", "families", "findings", "work", "tolerances", "front", "raster"], on);
+    markOriginal(["choice", "notes", "families", "findings", "work", "tolerances", "layers", "bill", "front", "raster"], on);
   }
 
   // What the kernel says of a state; null where its links cannot be assembled.

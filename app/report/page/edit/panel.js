@@ -8,8 +8,9 @@ import { sentence } from "../format.js";
 import { say } from "../words.js";
 
 export class EditPanel {
-  // `on`: field(field, value), undo(), redo(), reset(), toml() → text, title() → text.
-  constructor(fields, on) {
+  // `on`: field(field, value), slide(field, value) where fields have a range, undo(), redo(), reset(), toml() → text, title() → text.
+  // `hint` is given where the fields are all that is changed: then they come first.
+  constructor(fields, on, hint) {
     Object.assign(this, { fields, on });
     this.buttons = Object.fromEntries(["undo", "redo", "reset"].map((name) => [name, this.#button(name, () => on[name]())]));
     this.inputs = fields.map((field) => this.#input(field));
@@ -21,16 +22,18 @@ export class EditPanel {
     const save = this.#button("save", () => this.#save());
     this.root = element("section", { class: "card edit", id: "edit", "aria-labelledby": "edit-title" },
       element("div", { class: "card-head" }, element("h2", { id: "edit-title" }, say("edit.title")), element("div", { class: "segments" }, ...Object.values(this.buttons), copy, save)),
-      this.status, this.text, tableOf("edit-values-table", ["edit.quantity", "edit.before", "edit.now"], this.values),
-      element("p", { class: "muted" }, say("edit.hint")), ...this.#grids(),
+      this.status, this.text, ...(hint ? [...this.#numbers(hint), this.#values()] : [this.#values(), ...this.#numbers(say("edit.hint"))]),
       tableOf("edit-checks-table", ["edit.check", "edit.bound", "edit.now"], this.checks));
   }
 
+  #values() { return tableOf("edit-values-table", ["edit.quantity", "edit.before", "edit.now"], this.values); }
+
   // The fields of the mechanism, and those of other tables folded.
-  #grids() {
+  #numbers(hint) {
     const grid = (group) => element("div", { class: "edit-fields" }, ...this.inputs.filter(({ field }) => field.group === group).map(({ label }) => label));
     const groups = [...new Set(this.fields.map((field) => field.group))].filter((group) => group !== undefined);
-    return [grid(undefined), ...groups.map((group) => element("details", {}, element("summary", {}, sentence(group)), grid(group)))];
+    const isOpen = (group) => this.fields.some((field) => field.group === group && field.open);
+    return [element("p", { class: "muted" }, hint), grid(undefined), ...groups.map((group) => element("details", isOpen(group) ? { open: "" } : {}, element("summary", {}, sentence(group)), grid(group)))];
   }
 
   #button(name, act) {
@@ -43,13 +46,25 @@ export class EditPanel {
     const input = element("input", { type: "number", step: "any", "data-field": field.key });
     const label = element("label", {}, element("span", {}, field.label ?? say(`edit.field.${field.key}`)), input);
     input.addEventListener("change", () => this.on.field(field, input.valueAsNumber));
-    return { field, input, label };
+    return { field, input, label, slider: field.range ? this.#slider(field, label) : null };
+  }
+
+  // A slider below the number, where it has a range to be moved in.
+  #slider(field, label) {
+    const [min, max] = field.range;
+    const slider = element("input", { type: "range", min, max, step: field.step ?? "any", tabindex: -1, "aria-hidden": "true", "data-slider": field.key });
+    slider.addEventListener("input", () => this.on.slide(field, roundedTo(slider.valueAsNumber, max - min)));
+    slider.addEventListener("change", () => this.on.field(field, roundedTo(slider.valueAsNumber, max - min)));
+    label.append(slider);
+    return slider;
   }
 
   // `rows` as of editRows; `checks`: [name, bound, now, met], met null where it is not known.
   show(state, history, rows, checks) {
-    for (const { field, input } of this.inputs) {
-      if (document.activeElement !== input || input.valueAsNumber !== field.get(state)) input.value = field.get(state);
+    for (const { field, input, slider } of this.inputs) {
+      const value = field.get(state);
+      if (document.activeElement !== input || input.valueAsNumber !== value) input.value = value ?? "";
+      if (slider && document.activeElement !== slider) slider.value = value ?? "";
     }
     this.buttons.undo.disabled = !history.canUndo;
     this.buttons.redo.disabled = !history.canRedo;
@@ -90,6 +105,12 @@ export class EditPanel {
     this.#showFile();
     saveText(this.on.title(), "toml", "application/toml", this.text.value);
   }
+}
+
+// A thousandth of the range is as finely as a hand moves a slider.
+function roundedTo(value, range) {
+  const places = Math.max(0, 3 - Math.floor(Math.log10(range)));
+  return Number(value.toFixed(Math.min(places, 100)));
 }
 
 function tableOf(id, heads, body) {

@@ -8,7 +8,7 @@ import { crossOf, FOUR_BAR_JOINTS, inFrame, lengthOf, minus } from "./four_bar.j
 
 const EDITED_TABLES = ["mechanism", "drive", "link", "load", "gravity"];
 
-const withPart = (table, [key, ...rest], value) => {
+export const withPart = (table, [key, ...rest], value) => {
   const copy = Array.isArray(table) ? [...table] : { ...table };
   copy[key] = rest.length ? withPart(table[key], rest, value) : value;
   return copy;
@@ -46,12 +46,12 @@ function partWords(list, i, path, words) {
 }
 
 // The fields of a problem; those of other tables than the mechanism in groups.
-export function problemFields(problem) {
-  return EDITED_TABLES.filter((name) => problem[name] !== undefined).flatMap((name) => numbersIn(problem[name], [name], name === "mechanism" ? [] : [keyName(name, "")], name).map(({ path, words, unit }) => {
+export function problemFields(problem, tables = EDITED_TABLES) {
+  return tables.filter((name) => problem[name] !== undefined).flatMap((name) => numbersIn(problem[name], [name], name === "mechanism" ? [] : [keyName(name, "")], name).map(({ path, words, unit }) => {
     const own = path.slice(1).join(".");
     const key = name === "mechanism" ? SHORT_KEYS[own] ?? own : path.join(".");
     const label = knows(`edit.field.${key}`) ? say(`edit.field.${key}`) : sentence(words.join(", ")) + (unit ? `,${unit === "°" ? " °" : unit}` : "");
-    return { key, label, ...(name === "mechanism" ? {} : { group: keyName(name, "") }), get: (state) => partOf(state, path), set: (state, value) => withPart(state, path, value) };
+    return { key, path, label, ...(name === "mechanism" ? {} : { group: keyName(name, "") }), get: (state) => partOf(state, path), set: (state, value) => withPart(state, path, value) };
   }));
 }
 

@@ -8,9 +8,9 @@ import { say, term } from "../words.js";
 
 // Whether a fact of a gear tells of something wrong.
 const GEAR_FAULTS = { undercut: (value) => value === true, interferes: (value) => value === true, tip_thickness: (value) => value < 0, tip_clearance: (value) => value < 0 };
-const GEARS = ["pinion", "worm", "wheel", "rack"];
+export const GEARS = ["pinion", "worm", "wheel", "rack"];
 const OTHER_NAMES = { worm: { wheel: "worm_wheel" }, internal: { wheel: "ring" }, rack: { rack: "its_rack" } };
-const gearName = (gear, gearing) => say(`gear.${OTHER_NAMES[gearing]?.[gear] ?? gear}`);
+export const gearName = (gear, gearing) => say(`gear.${OTHER_NAMES[gearing]?.[gear] ?? gear}`);
 
 // Facts of each gear beside one another, and those that are of neither.
 export function showGears(metrics, gearing) {

@@ -1,7 +1,7 @@
 // The page of a gear or of gears in mesh: where they stand, and everything that follows from it.
 
 import { followTheme } from "../appearance.js";
-import { showChecks } from "../checks.js";
+import { checkRows, showChecks } from "../checks.js";
 import { Controls, saveResult, saveText } from "../controls.js";
 import { Curves } from "../curves.js";
 import { byId, element } from "../dom.js";
@@ -11,11 +11,15 @@ import { degrees, duration, fixed, number } from "../format.js";
 import { showHead, showNotes, showWarnings, showWork } from "../head.js";
 import { filmed, Saves } from "../saves.js";
 import { legendItem } from "../shapes.js";
+import { Kernel } from "../kernel.js";
+import { TableEditor } from "../edit/table_editor.js";
 import { offerNoEdit } from "../original.js";
+import { showProblem } from "../problem.js";
 import { makeSortable } from "../sortable.js";
 import { Trace } from "../trace.js";
 import { say, sentenceOf } from "../words.js";
 import { Zoom } from "../zoom.js";
+import { DISTANCES, gearFields, gearRows, givenGears } from "./edited.js";
 import { flankCsv, showFlank, showGears } from "./facts.js";
 import { GearMesh, PARTS } from "./model.js";
 import { PairScene } from "./pair_scene.js";
@@ -30,8 +34,12 @@ const isPair = kind === "pair";
 const isRack = gearing === "rack";
 // A rack slides past its pinion as the section of a worm past the wheel.
 const isWorm = gearing === "worm" || isRack;
-const designs = data.designs.map((drawn) => (isPair && !isWorm ? new GearMesh(drawn) : { drawn }));
-const generation = isPair || !designs.length ? null : new Generation(designs[0].drawn.gears[0]);
+const designOf = (drawn) => (isPair && !isWorm ? new GearMesh(drawn) : { drawn });
+const generationOf = ({ drawn }) => (isPair ? null : new Generation(drawn.gears[0]));
+const designs = data.designs.map(designOf);
+// The design shown: one of the result, or what an edit has made of it; of a single gear with the rack that cuts it.
+let edited = null;
+let generation = designs.length ? generationOf(designs[0]) : null;
 const state = { index: 0, deg: 0 };
 const onDrag = (deg) => goTo(deg, true);
 const scene = isWorm ? new WormScene(byId("picture"), onDrag, isRack) : isPair ? new PairScene(byId("picture"), onDrag) : new RackScene(byId("picture"), onDrag);
@@ -42,7 +50,7 @@ extras.onToggle = () => showLegend();
 const controls = new Controls((seconds) => goTo(state.deg + controls.player.pace * controls.player.speed * seconds),
   (sense, large) => goTo(state.deg + sense * step() * (large ? 10 : 1), true));
 
-const current = () => designs[state.index];
+const current = () => edited?.design ?? designs[state.index];
 // A step of the drive: a share of the way from tooth to tooth.
 const pitchOf = () => (isWorm ? 360 / current().drawn.worm.starts : 360 / current().drawn.gears[0].teeth);
 const step = () => pitchOf() / 20;
@@ -102,18 +110,40 @@ function showCurves() {
 }
 
 function choose(index) {
+  editor?.close(false);
+  edited = null;
   state.index = index;
   for (const [i, button] of [...byId("designs").children].entries()) button.setAttribute("aria-pressed", String(i === index));
-  const { drawn } = current();
-  showGears([...drawn.metrics, ...(data.facts ?? [])], gearing);
-  showChecks(drawn.constraints ?? []);
   showWarnings(result.designs?.[index]);
+  showDesign();
+}
+
+// Everything that is said and drawn of the design shown. How many pairs were tried is of the original.
+function showDesign() {
+  const { drawn } = current();
+  showGears([...drawn.metrics, ...(edited ? [] : data.facts ?? [])], gearing);
+  showChecks(drawn.constraints ?? []);
   byId("section").hidden = !drawn.cones;
   if (drawn.cones) byId("section-picture").replaceChildren(bevelSection(drawn.cones));
   showCurves();
   drawScene();
   showLegend();
 }
+
+// What an edit has made of the gears, and their problem; the design as it was found for null.
+function showEdited(answer, problem) {
+  edited = answer && { design: designOf(answer.designs[0]), columns: answer.columns };
+  generation = generationOf(current());
+  setDriveRange();
+  showProblem(problem, kindName);
+  showNotes((answer ?? result).notes ?? [], answer ? [] : result.warnings);
+  showWarnings(answer ? {} : result.designs?.[state.index]);
+  showFlank(columns());
+  showDesign();
+}
+
+const columns = () => (edited ?? data).columns;
+const kindName = say(`kind.${isPair ? "gear_pair" : "gear"}`, { gearing: say(`gearing.${gearing}`) });
 
 function showChoice() {
   byId("choice").hidden = designs.length < 2;
@@ -151,7 +181,7 @@ function listen() {
   byId("drive").addEventListener("input", (event) => goTo(Number(event.target.value), true));
   for (const button of document.querySelectorAll("[data-look]")) button.addEventListener("click", () => hold("look", button.dataset.look));
   for (const button of document.querySelectorAll("[data-held]")) button.addEventListener("click", () => hold("held", button.dataset.held));
-  byId("save-table").addEventListener("click", () => saveText(result.problem?.title, "csv", "text/csv", flankCsv(data.columns)));
+  byId("save-table").addEventListener("click", () => saveText(result.problem?.title, "csv", "text/csv", flankCsv(columns())));
   new ResizeObserver(drawScene).observe(byId("picture"));
   new Zoom(byId("stage"), byId("picture"), () => scene, drawScene);
   let stood = 0;
@@ -164,13 +194,24 @@ function prepareDrive() {
   const name = say(isWorm && !isRack ? "gear.worm_angle" : isPair ? "gear.pinion_angle" : "gear.roll_angle");
   byId("drive-name").textContent = name;
   byId("drive").setAttribute("aria-label", name);
-  if (generation) { const { deg } = generation.range; Object.assign(byId("drive"), { min: -deg, max: deg }); state.deg = -deg; }
+  setDriveRange();
+  if (generation) state.deg = -generation.range.deg;
   controls.player.pace = isRack ? pitchOf() / 2 : isWorm ? 45 : generation ? generation.range.deg / 4 : pitchOf() / 2;
 }
 
+// A rack goes over its gear from one side to the other.
+function setDriveRange() {
+  if (!generation) return;
+  const { deg } = generation.range;
+  Object.assign(byId("drive"), { min: -deg, max: deg });
+}
+
+const editor = Kernel.available && designs.length && result.problem?.mechanism && result.designs?.[0]?.mechanism
+  ? new TableEditor({ call: isPair ? "gear_pair" : "gear", problem: result.problem, hint: say(isPair && gearing in DISTANCES ? "edit.hint_gears" : "edit.hint_gear"), kept: ["choice", "work"], first: () => givenGears(result.problem, result.designs[state.index]),
+    fields: gearFields, rows: gearRows, checks: ({ designs: [design] }) => checkRows(design.constraints ?? []), show: showEdited }) : null;
+if (!editor) offerNoEdit(say("edit.by_file"));
 const designCount = isPair && designs.length > 1 ? say("count.designs", { n: designs.length }) : "";
-offerNoEdit(say("edit.by_file"));
-showHead(result, say(`kind.${isPair ? "gear_pair" : "gear"}`, { gearing: say(`gearing.${gearing}`) }), [designCount, designs.length ? nameOf(designs[0].drawn) : "", result.work ? duration(result.work.seconds) : ""], say("head.keys_gear"),
+showHead(result, kindName, [designCount, designs.length ? nameOf(designs[0].drawn) : "", result.work ? duration(result.work.seconds) : ""], say("head.keys_gear"),
   isPair ? {} : { infeasible: "gear.faulty" });
 showNotes(result.notes ?? [], result.warnings);
 showWork(result.work);
@@ -181,7 +222,7 @@ byId("looks").hidden = !isPair;
 byId("holds").hidden = isPair;
 followTheme(() => curves.redraw());
 byId("save").addEventListener("click", () => saveResult(result));
-showFlank(data.columns);
+showFlank(columns());
 byId("constraints").hidden = !isPair;
 if (designs.length === 0) {
   for (const id of ["stage", "dimensions", "facts", "curves", "constraints", "table"]) byId(id).hidden = true;

@@ -12,6 +12,7 @@ const MACHINE_FACTS = {
   flywheel_inertia_kg_m2: "kg·m²", flywheel_inertia_approximate_kg_m2: "kg·m²", greatest_excess_work_J: "J", period_s: "s", energy_swing_J: "J",
   motor_work_J: "J", motor_power_mean_W: "W", motor_power_max_W: "W", multiplier: "", energy_residual: "",
   start_time_s: "s", start_turns: "", start_end_speed_rad_s: "rad/s", stop_time_s: "s", stop_turns: "", stop_end_speed_rad_s: "rad/s",
+  train_ratio: "", train_ratio_exact: "", train_efficiency: "", train_reverse_efficiency: "", train_self_locking: "", train_inertia_kg_m2: "kg·m²",
 };
 
 function machineFactText(name, facts) {

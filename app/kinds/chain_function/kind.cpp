@@ -1,0 +1,81 @@
+#include "app/kinds/chain_function/kind.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <optional>
+
+#include "app/console/messages.hpp"
+#include "app/report/function_trace.hpp"
+#include "problems/chain_function/space.hpp"
+#include "problems/chain_function/verify.hpp"
+
+namespace cognate::app {
+namespace {
+
+using problems::ChainFunctionProblem;
+
+constexpr Entry kChainFunctionKeys[] = {
+    {"target.function", "an expression in x, as \"log10(x)\""},
+    {"target.domain", "[x0, x1] of the function"},
+    {"target.table", "or: [[x, y], ...]"},
+    {"target.pairs_deg", "or: [[input, output], ...]"},
+    {"target.input_range_deg", "the crank's sweep for the domain (negative: clockwise)"},
+    {"target.output_range_deg", "the output's sweep for the values"},
+    {"target.relation", "\"angles\": x and y are the angles themselves, in radians"},
+    {"target.samples", "how many samples the error is taken at (default 61)"},
+    {"target.sample_at", "or: their x"},
+    {"target.objective", "\"least-squares\" (default) or \"minimax\""},
+    {"target.output", "[\"G\", \"F\"] (default): the output's angle is that from G to F"},
+    {"mechanism.type",
+     "\"six-bar\", \"stephenson-3\", \"watt-2\", or \"chain\"; parts and bounds as of "
+     "path-generation (chains)"},
+    {"constraints.transmission_angle_deg", "[min, max] of every dyad over the motion"},
+    {"constraints.over",
+     "\"range\" (default): the motion is that of the function; or \"turn\", of the whole crank"},
+    {"constraints.rms_error_deg_max", "of the output's angle; with minimax max_error_deg_max"}};
+
+constexpr QuantityColumn kChainFunctionQuantities[] = {{"topology", "topology"}};
+
+}  // namespace
+
+std::span<const Entry> Kind<ChainFunctionProblem>::keys() {
+  return kChainFunctionKeys;
+}
+
+std::string Kind<ChainFunctionProblem>::describe(const ChainFunctionProblem& problem) {
+  const auto wanted = [&] {
+    if (const auto* pairs = std::get_if<problems::AnglePairs>(&problem.target)) {
+      return fmt::format("{} pairs of angles", pairs->size());
+    }
+    const auto& function = std::get<problems::FunctionOfX>(problem.target);
+    return function.text.empty() ? fmt::format("a table of {} points", function.table.size())
+                                 : "y = " + function.text;
+  };
+  return titled(problem.title,
+                fmt::format("function generation ({}), {}", problem.mechanism, wanted()));
+}
+
+ColumnChoice Kind<ChainFunctionProblem>::columns(const ChainFunctionProblem& /*problem*/) {
+  return {.error_unit = "deg", .angular_output = true, .quantities = kChainFunctionQuantities};
+}
+
+nlohmann::ordered_json Kind<ChainFunctionProblem>::target_json(
+    const ChainFunctionProblem& /*problem*/) {
+  return {{"kind", "function"}};
+}
+
+nlohmann::ordered_json Kind<ChainFunctionProblem>::reached_json(const ChainFunctionProblem& problem,
+                                                                const problems::Design& design) {
+  const auto wanted = problems::function_samples(problem);
+  const double start = *design.metrics.input_start;
+  const problems::ChainFunctionError error(problem, wanted, design.mechanism, start);
+  const auto error_at = [&](const synthesis::AnglePair& pair) {
+    const double here = error.at(pair);
+    return std::isfinite(here) ? std::optional(here) : std::nullopt;
+  };
+  const auto* function = std::get_if<problems::FunctionOfX>(&problem.target);
+  return {{"trace", trace_json(function_trace(function, wanted, start, error_at))}};
+}
+
+}  // namespace cognate::app

@@ -1,0 +1,26 @@
+#include "problems/chain/output_question.hpp"
+
+namespace cognate::problems {
+
+std::optional<OutputQuestion> output_question(const NamedMechanism& mechanism,
+                                              const std::array<std::string, 2>& output,
+                                              const std::vector<double>& angles) {
+  auto [question, kept] = question_at(mechanism, angles);
+  const auto first = point_response(mechanism, output[0]);
+  const auto second = point_response(mechanism, output[1]);
+  if (!first || !second || kept.size() != angles.size()) return std::nullopt;
+  ToleranceQuantity angle{.name = "output", .judged = true};
+  const int body = mechanism.points[second->index].at.body;
+  angle.response = {.type = ResponseType::angle, .index = static_cast<std::size_t>(body)};
+  OutputQuestion asked;
+  ChangedMechanism<double> nominal({mechanism.mechanism, {}});
+  for (const Station& station : question.stations) {
+    nominal.move_to(station);
+    asked.way.push_back(nominal.value(angle.response));
+  }
+  question.quantities.push_back(std::move(angle));
+  asked.question = std::move(question);
+  return asked;
+}
+
+}  // namespace cognate::problems

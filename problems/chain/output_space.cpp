@@ -1,0 +1,147 @@
+#include "problems/chain/output_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace cognate::problems {
+namespace {
+
+using synthesis::LineType;
+
+/// Without a bound lengths and coordinates are at most so many units, links at least so many.
+constexpr double kMostUnits = 8, kLeastUnits = 0.05;
+/// Of a cosine: what a search may miss its limit by.
+constexpr double kMargin = 3e-7;
+
+bool is_of_length(const TopologyLine& line) {
+  return line.line.type == LineType::crank || line.line.type == LineType::dyad;
+}
+
+bool is_pivot(const TopologyLine& line) {
+  return line.line.type == LineType::pivot;
+}
+
+bool has_number(const TopologyLine& line) {
+  return line.given[0] || line.given[1];
+}
+
+bool is_bound(const TopologyLine& line) {
+  return std::ranges::any_of(line.bounds, [](const Range& range) {
+    return std::isfinite(range.min) || std::isfinite(range.max);
+  });
+}
+
+template <class Lines>
+auto& crank_of(Lines& lines) {
+  return *std::ranges::find(lines, LineType::crank,
+                            [](const TopologyLine& line) { return line.line.type; });
+}
+
+/// Whether nothing fixes the size of the mechanism.
+bool has_any_size(const Topology& topology) {
+  std::ptrdiff_t places = 0;
+  for (const TopologyLine& line : topology.lines) {
+    if (!is_pivot(line) && has_number(line)) return false;
+    if (is_pivot(line) && (has_number(line) || is_bound(line))) ++places;
+  }
+  return places < 2;
+}
+
+/// The topology with what may be chosen without loss. Crank angles that are given count from the x
+/// axis: the mechanism must be free to turn.
+Topology framed(const Topology& from, const OutputFrame& frame) {
+  Topology topology = from;
+  TopologyLine& crank = crank_of(topology.lines);
+  if (!frame.keeps_size && has_any_size(from)) {
+    crank.given[0] = std::clamp(1.0, crank.bounds[0].min, crank.bounds[0].max);
+  }
+  const auto is_open = [](const TopologyLine& line) {
+    return !has_number(line) && !is_bound(line);
+  };
+  TopologyLine& own = topology.lines[static_cast<std::size_t>(crank.line.first)];
+  for (const TopologyLine& line : topology.lines) {
+    if (is_pivot(line) && &line != &own && !is_open(line)) return topology;
+  }
+  if (is_open(own)) own.given = {0.0, 0.0};
+  if (frame.keeps_direction || !own.given[1]) return topology;
+  const auto other = std::ranges::find_if(
+      topology.lines, [&](const TopologyLine& line) { return is_pivot(line) && &line != &own; });
+  if (other != topology.lines.end()) other->given[1] = own.given[1];
+  return topology;
+}
+
+/// Where the file has pivots, in the middle of their bounds where it bounds them.
+std::vector<Vec2d> placed_pivots(const Topology& topology) {
+  std::vector<Vec2d> places;
+  for (const TopologyLine& line : topology.lines) {
+    if (!is_pivot(line) || (!has_number(line) && !is_bound(line))) continue;
+    const auto coordinate = [&](std::size_t i) {
+      const auto& [least, greatest] = line.bounds.at(i);
+      const double middle = 0.5 * (least + greatest);
+      return line.given.at(i).value_or(std::isfinite(middle) ? middle : 0);
+    };
+    places.push_back({coordinate(0), coordinate(1)});
+  }
+  return places;
+}
+
+double greatest_distance(const std::vector<Vec2d>& places) {
+  double greatest = 0;
+  for (const Vec2d& a : places) {
+    for (const Vec2d& b : places) greatest = std::max(greatest, norm(b - a));
+  }
+  return greatest;
+}
+
+/// Centre: the crank's pivot where it is known, else the middle of the others. Size: the crank,
+/// else a third of the longest link, else of the greatest distance of pivots.
+TargetScale scale_of(const Topology& framed) {
+  TargetScale scale;
+  const TopologyLine& crank = crank_of(framed.lines);
+  const auto& pivot = framed.lines[static_cast<std::size_t>(crank.line.first)].given;
+  const std::vector<Vec2d> places = placed_pivots(framed);
+  for (const Vec2d& place : places) {
+    scale.centre = scale.centre + (1.0 / double(places.size())) * place;
+  }
+  if (pivot[0] && pivot[1]) scale.centre = {*pivot[0], *pivot[1]};
+  double longest = 0;
+  for (const TopologyLine& line : framed.lines) {
+    if (!is_of_length(line)) continue;
+    for (const auto& length : line.given) longest = std::max(longest, length.value_or(0) / 3);
+  }
+  if (longest == 0) longest = greatest_distance(places) / 3;
+  if (longest > 0) scale.size = longest;
+  const Range& bound = crank.bounds[0];
+  if (longest == 0 && std::isfinite(bound.max)) scale.size = 0.5 * (bound.min + bound.max);
+  if (crank.given[0]) scale.size = *crank.given[0];
+  return scale;
+}
+
+int named_line(const Topology& topology, const std::string& name) {
+  const auto found = std::ranges::find(topology.lines, name, &TopologyLine::name);
+  return static_cast<int>(found - topology.lines.begin());
+}
+
+}  // namespace
+
+OutputSpace::OutputSpace(const Topology& given, const std::array<std::string, 2>& output,
+                         const Range& transmission, const OutputFrame& frame)
+    : OutputSpace(given, output, transmission, framed(given, frame)) {}
+
+OutputSpace::OutputSpace(const Topology& given, const std::array<std::string, 2>& output,
+                         const Range& transmission, const Topology& framed)
+    : ChainSpace(framed, scale_of(framed), transmission),
+      scale(scale_of(framed)),
+      from(named_line(given, output[0])),
+      to(named_line(given, output[1])) {
+  limit_open(kLeastUnits, kMostUnits);
+  topology = &given;
+  cosine_limit -= kMargin;
+}
+
+double relative_angle(const Vec2d& way, const Vec2d& reference) {
+  return std::atan2(cross(reference, way), dot(reference, way));
+}
+
+}  // namespace cognate::problems

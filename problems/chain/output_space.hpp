@@ -1,0 +1,38 @@
+/// @file The designs of a chain whose output is an angle: what moves, turns or enlarges the whole
+/// mechanism changes nothing of it.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "problems/chain/space.hpp"
+
+namespace cognate::problems {
+
+/// What of the place of a mechanism counts all the same.
+struct OutputFrame {
+  bool keeps_size = false;
+  bool keeps_direction = false;
+};
+
+/// The designs of one topology by the angle of the way from the point of line `from` to that of
+/// `to`. The unit is the crank where its length is known. As far as the file and `OutputFrame`
+/// leave these open, the crank has the length 1 (or the nearest that its bounds allow) and turns
+/// about the origin, and the first other pivot is level with its own.
+struct OutputSpace : ChainSpace {
+  TargetScale scale;
+  int from, to;
+
+  /// `output`: names of the two points. `transmission`: radians; the narrower side counts.
+  OutputSpace(const Topology& topology, const std::array<std::string, 2>& output,
+              const Range& transmission, const OutputFrame& frame);
+
+ private:
+  OutputSpace(const Topology& topology, const std::array<std::string, 2>& output,
+              const Range& transmission, const Topology& framed);
+};
+
+/// The angle of `way` relative to `reference`: within half a turn of it.
+double relative_angle(const Vec2d& way, const Vec2d& reference);
+
+}  // namespace cognate::problems

@@ -1,0 +1,63 @@
+/// @file Searches of several topologies of chains, each an explorer of its own.
+#pragma once
+
+#include <cstdint>
+#include <list>
+
+#include "problems/linkage/result.hpp"
+#include "synthesis/search/multi_start.hpp"
+
+namespace cognate::problems {
+
+/// How a solver fits one start of a search, until the deadline.
+inline synthesis::Options fit_options(const synthesis::Deadline& deadline, int iterations) {
+  return synthesis::until(deadline,
+                          {.tolerance = 1e-9, .feasibility = 1e-9, .max_iterations = iterations});
+}
+
+/// An explorer of each space, made of it, its number and `context`: each in turn explores by `rule`
+/// and finishes, in equal shares of the progress.
+template <class Explorer, class Spaces, class... Context>
+std::list<Explorer> explored(const Spaces& spaces, const synthesis::StartRule& rule,
+                             const Context&... context) {
+  constexpr double kExploring = 0.9;  // of the share
+  std::list<Explorer> explorers;
+  const double step = 1.0 / static_cast<double>(spaces.size());
+  for (const auto& space : spaces) {
+    const double share = step * static_cast<double>(explorers.size());
+    Explorer& one = explorers.emplace_back(space, explorers.size(), context...);
+    one.explore(rule, {share, share + kExploring * step});
+    one.finish({share + kExploring * step, share + step});
+  }
+  return explorers;
+}
+
+/// Of the topology of the best of `designs`, sorted; the starts of all.
+template <class Explorer, class Designs>
+synthesis::SearchStatistics statistics_of(const std::list<Explorer>& explorers,
+                                          const Designs& designs) {
+  synthesis::SearchStatistics statistics;
+  int starts = 0;
+  for (const Explorer& one : explorers) {
+    starts += one.search().starts();
+    if (designs.empty() || &one.space() != designs.front().space) continue;
+    statistics = one.search().statistics(synthesis::kBestMinima);
+  }
+  statistics.starts = starts;
+  return statistics;
+}
+
+/// Adds what explorers and their solvers did, each evaluation of `nodes` positions.
+template <class Explorer>
+void count_work(const synthesis::WorkCounter& counter, const std::list<Explorer>& explorers,
+                int nodes, Work& work) {
+  for (const Explorer& one : explorers) {
+    work.candidates += static_cast<std::uint64_t>(one.search().starts());
+  }
+  const auto done = counter.total();
+  work.positions += done.evaluations * static_cast<std::uint64_t>(nodes);
+  work.gradients += done.gradients;
+  work.solver_iterations += done.iterations;
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,106 @@
+#include "problems/tolerance/read.hpp"
+
+#include "problems/chain/read_design.hpp"
+#include "problems/chain_function/verify.hpp"
+#include "problems/function/read_goal.hpp"
+#include "problems/function/read_target.hpp"
+#include "problems/layers/read.hpp"
+#include "problems/linkage/warnings.hpp"
+#include "problems/search/read_objectives.hpp"
+
+namespace cognate::problems {
+namespace reading {
+namespace {
+
+constexpr std::string_view kType = "type", kOutput = "output";
+
+/// The values of `mechanism.type` of a function, those of other kinds first.
+std::vector<std::string_view> function_types() {
+  std::vector<std::string_view> words{"four-bar", "slider-crank"};
+  for (const TopologyWord& topology : function_topology_words()) words.push_back(topology.word);
+  words.push_back(kChainWord);
+  return words;
+}
+
+/// Faults what is for exact synthesis, which is for linkages whose loop equation is linear in its
+/// unknowns; returns whether there is such a thing.
+bool refuse_exact(TableReader& target, TableReader& solve) {
+  constexpr std::string_view kKeys[] = {"precision_points", "at",      "multiplicity",
+                                        "derivatives",      "spacing", "method"};
+  bool is_there = false;
+  for (const std::string_view key : kKeys) {
+    for (TableReader* table : {&target, &solve}) {
+      if (!table->has(key)) continue;
+      is_there = true;
+      table->fault(key,
+                   "is for exact synthesis of four-bars and slider-cranks; remove it: chains take "
+                   "objective = \"least-squares\" or \"minimax\"");
+    }
+  }
+  return is_there;
+}
+
+void read_goal(TableReader& target, TableReader& solve, ChainFunctionProblem& problem) {
+  auto wanted = read_function_target(target, MechanismType::four_bar);
+  if (refuse_exact(target, solve) || !wanted) return know_function_goal(target, solve);
+  FunctionProblem goal;
+  goal.target = *std::move(wanted);
+  read_function_goal(target, solve, goal);
+  if (goal.objective == FunctionObjective::exact) {
+    holder("objective", target, solve)
+        .fault("objective",
+               "is \"exact\", which four-bars and slider-cranks can be; expected "
+               "\"least-squares\" or \"minimax\"");
+  }
+  problem.target = std::move(goal.target);
+  problem.objective = goal.objective;
+  problem.sample_at = std::move(goal.sample_at);
+}
+
+void read_constraints(TableReader& table, ChainFunctionProblem& problem) {
+  auto& limits = problem.constraints;
+  limits.transmission_angle = read_chain_transmission(table).value_or(limits.transmission_angle);
+  limits.over = table.choice<LimitSpan>("over").value_or(limits.over);
+  limits.error = read_error_limit(table, error_measure(problem));
+  refuse_four_bar_limits(table, "transmission_angle_deg, over and a limit of the error");
+}
+
+}  // namespace
+}  // namespace reading
+
+bool KindTraits<ChainFunctionProblem>::takes(reading::TableReader& document) {
+  if (!document.has_table("mechanism")) return false;
+  if (document.has_table("target") && document.table("target").contains("dwell")) return false;
+  reading::TableReader mechanism = document.table("mechanism");
+  if (!mechanism.has_text(reading::kType)) return false;
+  const std::string type = *mechanism.text(reading::kType);
+  return type == kChainWord || !from_string<MechanismType>(type);
+}
+
+ChainFunctionProblem KindTraits<ChainFunctionProblem>::read(
+    reading::TableReader& document, const std::filesystem::path& /*folder*/) {
+  using namespace reading;
+  ChainFunctionProblem problem;
+  LinkageTables tables(document);
+  problem.mechanism = tables.mechanism.text(kType).value_or("");
+  if (problem.mechanism != kChainWord && function_topologies(problem.mechanism).empty()) {
+    fault_chain_type(document, tables.mechanism, function_types());
+    return problem;
+  }
+  read_goal(tables.target, tables.solve, problem);
+  problem.output = read_output_link(tables.target, problem.mechanism);
+  problem.topologies = read_topologies(document, tables, function_topologies(problem.mechanism),
+                                       {kOutput, {problem.output.begin(), problem.output.end()}});
+  read_constraints(tables.constraints, problem);
+  read_chain_solve(tables.solve, problem.solve);
+  problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies));
+  problem.tolerances = read_tolerances(document, {.unit = "deg"});
+  for (TableReader* table :
+       {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
+    table->finish();
+  }
+  problem.warnings = read_warnings(document);
+  return problem;
+}
+
+}  // namespace cognate::problems

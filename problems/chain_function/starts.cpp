@@ -1,0 +1,156 @@
+#include "problems/chain_function/starts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
+#include "analysis/numbers/random.hpp"
+#include "problems/chain/output_dyad.hpp"
+
+namespace cognate::problems {
+namespace {
+
+constexpr int kChains = 48, kPivots = 24;
+/// Of the positions of a chain that must turn fully, those while the function is generated.
+constexpr int kGenerating = 40;
+constexpr double kNoFit = std::numeric_limits<double>::infinity();
+
+/// Positions of the crank: first those at which the output counts, then of a crank that must turn
+/// fully the whole turn.
+class Positions {
+ public:
+  Positions(const ChainFunctionSpace& space, double start)
+      : count_(space.needs_turn ? kGenerating : kDrawnPositions) {
+    for (int i = 0; i < kDrawnPositions; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const double turned =
+          i < count_ ? std::lerp(space.sweep.min, space.sweep.max, double(i) / (count_ - 1))
+                     : kTurn * (i - count_) / (kDrawnPositions - count_);
+      cranks_[at] = unit_vector(start + turned);
+      outputs_[at] = unit_vector(space.output_at(turned));
+    }
+  }
+
+  const DrawnCurve& cranks() const { return cranks_; }
+  std::size_t count() const { return static_cast<std::size_t>(count_); }
+  /// The direction of the output, from that at the start.
+  const Vec2d& output(std::size_t i) const { return outputs_[i]; }
+
+ private:
+  int count_;
+  DrawnCurve cranks_, outputs_;
+};
+
+class FunctionDraw {
+ public:
+  FunctionDraw(const ChainFunctionSpace& space, std::mt19937_64& random)
+      : space_(space), random_(random) {}
+
+  std::optional<ChainFunctionDesign> best() {
+    ends_in_free_dyad(space_) ? draw_on_circles() : draw_whole();
+    return best_inside_.design ? std::move(best_inside_.design) : std::move(best_.design);
+  }
+
+ private:
+  void draw_on_circles() {
+    const OutputCarrier carrier(space_, {std::acos(space_.cosine_limit), kPi});
+    for (int i = 0; i < kChains; ++i) {
+      const double start = uniform(random_, 0, kTurn);
+      const Positions positions(space_, start);
+      const auto drawn = draw(carrier.space(), positions.cranks(), random_);
+      if (!drawn) continue;
+      for (int k = 0; k < kPivots; ++k) hang_output(*drawn, positions, start);
+    }
+  }
+
+  void hang_output(const DrawnChain& carrier, const Positions& positions, double start) {
+    const auto path = std::span(carrier.curve).first(positions.count());
+    const Vec2d pivot = pivot_beside(path);
+    seen_.clear();
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      seen_.push_back(pivot + conj(positions.output(i)) * (path[i] - pivot));
+    }
+    const CircleNear circle = circle_near(seen_);
+    const double error = circle.deviation / norm(circle.centre - pivot);
+    if (!(error < best_inside_.error) || !closes(circle, pivot)) return;
+    if (const auto chain = hung(space_, carrier.design, pivot, circle, seen_[0])) {
+      take({*chain, start}, error);
+    }
+  }
+
+  void take(const ChainFunctionDesign& design, double error) {
+    const bool is_inside =
+        within_bounds(space_, design.chain).parameters == design.chain.parameters;
+    Best& best = is_inside ? best_inside_ : best_;
+    if (error < best.error) best = {design, error};
+  }
+
+  /// A point as far from the middle of a path as it is long, some times more or less.
+  Vec2d pivot_beside(std::span<const Vec2d> path) {
+    constexpr double kNearest = 0.3, kFarthest = 8;
+    Vec2d middle;
+    for (const Vec2d& point : path) middle = middle + (1.0 / double(path.size())) * point;
+    double square = 0;
+    for (const Vec2d& point : path) square += squared_norm(point - middle) / double(path.size());
+    const double distance = std::exp(uniform(random_, std::log(kNearest), std::log(kFarthest)));
+    return middle + distance * std::sqrt(square) * unit_vector(uniform(random_, 0, kTurn));
+  }
+
+  /// Whether the dyad stays on one side of its dead points, within the limit with some allowance.
+  bool closes(const CircleNear& circle, const Vec2d& pivot) const {
+    constexpr double kAllowance = 0.15;
+    double least = kNoFit, greatest = -kNoFit;
+    for (const Vec2d& point : seen_) {
+      const Vec2d arm = pivot - circle.centre, link = point - circle.centre;
+      const double scale = norm(arm) * norm(link);
+      const double sine = cross(arm, link) / scale;
+      least = std::min(least, sine);
+      greatest = std::max(greatest, sine);
+      const double most = std::min(space_.cosine_limit + kAllowance, 0.995);
+      if (!(std::abs(dot(arm, link)) / scale < most)) return false;
+    }
+    return least * greatest > 0;
+  }
+
+  void draw_whole() {
+    constexpr int kWholeChains = 200;
+    for (int i = 0; i < kWholeChains; ++i) {
+      const double start = uniform(random_, 0, kTurn);
+      const Positions positions(space_, start);
+      const auto drawn = draw(space_, positions.cranks(), random_);
+      if (!drawn) continue;
+      const ChainFunctionDesign design{drawn->design, start};
+      take(design, error_of(design));
+    }
+  }
+
+  double error_of(const ChainFunctionDesign& design) const {
+    const ChainFunctionModel model(space_, design, {}, space_.coarse,
+                                   synthesis::Objective::max_abs);
+    std::vector<double> errors(space_.coarse.size());
+    if (!model.residuals(model.start(), errors, {}, {})) return kNoFit;
+    const auto [least, greatest] = std::ranges::minmax(errors);
+    return greatest - least;
+  }
+
+  const ChainFunctionSpace& space_;
+  std::mt19937_64& random_;
+  std::vector<Vec2d> seen_;  ///< the carrying point, from the output
+  struct Best {
+    std::optional<ChainFunctionDesign> design;
+    double error = kNoFit;
+  };
+  Best best_inside_, best_;  ///< within the bounds and beyond, where a fit begins at their nearest
+};
+
+}  // namespace
+
+std::optional<ChainFunctionDesign> draw_chain_function(const ChainFunctionSpace& space,
+                                                       std::mt19937_64& random) {
+  return FunctionDraw(space, random).best();
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,120 @@
+/// Legs from problem to designs: search, conversion to the file's units, verification.
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/numbers/constants.hpp"
+#include "analysis/numbers/parallel.hpp"
+#include "problems/chain/found_designs.hpp"
+#include "problems/leg/search.hpp"
+#include "problems/leg/starts.hpp"
+#include "problems/leg/verify.hpp"
+#include "problems/linkage/design_layers.hpp"
+#include "problems/linkage/design_tolerances.hpp"
+#include "problems/linkage/verify.hpp"
+#include "problems/linkage/warnings.hpp"
+#include "problems/search/solver_origin.hpp"
+#include "problems/search/statistics.hpp"
+
+namespace cognate::problems {
+namespace {
+
+/// A leg in the file's unit, its stride met exactly where the file gives and bounds nothing.
+NamedMechanism mechanism_of(const LegMinimum& found) {
+  const LegSpace& space = *found.space;
+  synthesis::ChainDesign chain = found.design.chain;
+  const double duty = found.design.span / kTurn;
+  if (const auto own = space.is_movable ? gait_of(space, chain, duty) : std::nullopt) {
+    for (double& parameter : chain.parameters) parameter /= own->stride;
+  }
+  return named(*space.topology, space.scale.out_of(space.chain, chain));
+}
+
+/// Those that meet every limit, the best first; the others only where there are no such.
+std::vector<Design> designs_of_legs(const LegProblem& problem,
+                                    const std::vector<LegMinimum>& found) {
+  std::vector<Design> designs;
+  for (const LegMinimum& one : found) {
+    Design design =
+        verified(problem, *one.space->topology, mechanism_of(one), one.design.span / kTurn);
+    if (!std::isfinite(design.error.max)) continue;
+    design.origin = search_origin({synthesis::Solver::slsqp});
+    designs.push_back(std::move(design));
+  }
+  return feasible_or_all(std::move(designs), problem.solve.designs);
+}
+
+std::string nothing_found(const std::vector<LegSpace>& spaces, bool closes) {
+  const auto is_given = [](const LegSpace& space) { return space.free.empty(); };
+  if (std::ranges::all_of(spaces, is_given)) {
+    return "All dimensions are given, and this leg is not assembled over the whole turn within the "
+           "limits; change or leave out dimensions, or widen the limits.";
+  }
+  if (!closes) {
+    return "No start led to a leg that is assembled over the whole turn; change the dimensions "
+           "given, or widen the bounds.";
+  }
+  return "No leg was found that is assembled over the whole turn within the limits; wider limits "
+         "or "
+         "more starts may help.";
+}
+
+/// The level of the foot in stance, from the middle of its band.
+std::optional<ToleranceQuestion> leg_question(const LegProblem& problem, const Design& design) {
+  constexpr int kSteps = 45;
+  if (design.crank_angles.size() < 2) return std::nullopt;
+  // All topologies that one word stands for have one name of the foot.
+  const Topology& topology = problem.topologies.front();
+  const auto& name = topology.lines[static_cast<std::size_t>(topology.trace)].name;
+  std::vector<double> angles;
+  const double from = design.crank_angles[0], way = design.crank_angles[1] - from;
+  const double span = way > 0 ? way : way + kTurn;
+  for (int i = 0; i <= kSteps; ++i) angles.push_back(from + span * i / kSteps);
+  auto [question, kept] = question_at(design.mechanism, angles);
+  const auto foot = point_response(design.mechanism, name);
+  if (!foot || kept.size() != angles.size()) return std::nullopt;
+  ToleranceQuantity level{.name = name, .response = *foot, .judged = true};
+  for (const Vec2d& place : path_frame(design.mechanism, question, *foot).place) {
+    level.offset.push_back(place.y);
+    level.normal.push_back({0, 1});
+  }
+  const auto [low, high] = std::ranges::minmax(level.offset);
+  for (double& offset : level.offset) offset -= 0.5 * (low + high);
+  question.quantities.push_back(std::move(level));
+  add_transmissions(design.mechanism, question);
+  return std::move(question);
+}
+
+}  // namespace
+
+Result solve(const LegProblem& given, const Run& run) {
+  const auto valid = KindTraits<LegProblem>::checked(given);
+  if (!valid) return refused<Result>(valid.error());
+  const LegProblem& problem = *valid;
+  const Deadline deadline(run);
+  std::vector<LegSpace> spaces;
+  for (const Topology& topology : problem.topologies) spaces.emplace_back(problem, topology);
+  bool closes = false;
+  Result result = solve_in_layers(
+      problem, run, DesignSource::search, [&](const LegProblem& one, const Run& own) {
+        Result legs;
+        const LegSearchResult found = search_legs(spaces, one.solve, own, deadline, legs.work);
+        closes = closes || found.closes;
+        legs.quantities = quantities(found.statistics);
+        legs.designs = designs_of_legs(one, found.designs);
+        legs.status = status_of(legs.designs, deadline);
+        return legs;
+      });
+  add_warnings(std::nullopt, problem.warnings, result);
+  if (result.designs.empty()) {
+    result.notes.push_back(nothing_found(spaces, closes));
+  }
+  add_tolerances(
+      problem.tolerances, problem.length_unit, run,
+      [&](const Design& design) { return leg_question(problem, design); }, result);
+  result.work.threads = thread_count(run.threads);
+  result.work.seconds = deadline.spent();
+  return result;
+}
+
+}  // namespace cognate::problems

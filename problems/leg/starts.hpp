@@ -1,0 +1,28 @@
+/// @file Legs from which a fit begins.
+#pragma once
+
+#include <optional>
+#include <random>
+
+#include "analysis/mechanism/gait.hpp"
+#include "problems/leg/model.hpp"
+
+namespace cognate::problems {
+
+/// The gait of a leg in the unit of its space, by its point form.
+std::optional<Gait> gait_of(const LegSpace& space, const synthesis::ChainDesign& chain,
+                            double duty);
+
+/// A leg with its stance of the duty factor `duty`, as `gait` finds it, and where it may be moved
+/// enlarged to the stride; empty where it cannot be assembled all along.
+std::optional<LegDesign> with_stance(const LegSpace& space, synthesis::ChainDesign chain,
+                                     double duty);
+/// The same of the problem's duty factor.
+std::optional<LegDesign> with_stance(const LegSpace& space, synthesis::ChainDesign chain);
+
+/// The best of many chains drawn at random: of each, that part of the foot's path which is nearest
+/// to a straight line on one side of the rest. A leg that may be moved is turned and enlarged so
+/// that this is a stance of the stride.
+std::optional<LegDesign> draw_leg(const LegSpace& space, std::mt19937_64& random);
+
+}  // namespace cognate::problems

@@ -1,0 +1,383 @@
+"""Solids of linkages, gears and cams from outside: STEP read again by another program, STL by this one.
+
+Run as: export_solids_test.py PROGRAM LIBRARY [READER], the built program, the folder of library problems, and the
+program that reads STEP, without which the refusal of solids is what is tested.
+"""
+
+import json
+import math
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from drawn_outlines import area
+from exported_linkages import distance_to_segment, LIBRARY, run
+from wheel_files import gear, ROLLER_CAM
+
+READER = sys.argv[3] if len(sys.argv) > 3 else None
+HOLE, WIDTH, THICKNESS, WASHER, CLEARANCE = 0.25, 0.5, 0.2, 0.02, 0.01  # of the shortest link
+
+def hull_of(points):
+    """The convex hull, counter-clockwise, by the chains of Andrew."""
+    chain = []
+    for ordered in (sorted(points), sorted(points, reverse=True)):
+        start = len(chain)
+        for p in ordered:
+            while len(chain) - start >= 2 and area([chain[-2], chain[-1], p]) <= 0:
+                chain.pop()
+            chain.append(p)
+        chain.pop()
+    return chain
+
+
+def plate_area(part, width, slot_width):
+    """The rounded hull less holes and slots; None where these overlap."""
+    spots = [(hole["at"], hole["diameter"] / 2) for hole in part["holes"]]
+    ends = [tuple(slot[end]) for slot in part["slots"] for end in ("from", "to")]
+    if len(part["slots"]) > 1 or any(distance_to_segment(at, *ends) < slot_width / 2 + radius
+                                     for at, radius in spots if ends):
+        return None
+    hull = hull_of([tuple(at) for at, _ in spots] + ends)
+    around = sum(math.dist(a, b) for a, b in zip(hull, hull[1:] + hull[:1])) if len(hull) > 1 else 0
+    whole = (area(hull) if len(hull) > 2 else 0) + around * width / 2 + math.pi * (width / 2) ** 2
+    for slot in part["slots"]:
+        whole -= math.dist(slot["from"], slot["to"]) * slot_width + math.pi * (slot_width / 2) ** 2
+    return whole - sum(math.pi * radius ** 2 for _, radius in spots)
+
+
+def facets_of(text):
+    corners = [tuple(map(float, line.split()[1:])) for line in text.splitlines() if line.startswith("vertex")]
+    return [corners[i:i + 3] for i in range(0, len(corners), 3)]
+
+
+def volume_of(facets):
+    return sum(a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+               for a, b, c in facets) / 6
+
+
+class Solids(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+
+    def result(self, text, command="analyze"):
+        """The result of a problem, by its text or the file of the library that has it."""
+        file = text if isinstance(text, pathlib.Path) else self.folder / "one.toml"
+        if file is not text:
+            file.write_text(text)
+        done = run(command, file, "--quiet", "--out", self.folder)
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+        return self.folder / f"{file.stem}.result.json"
+
+    def export(self, result, *options):
+        done = run("export", result, *options, "--out", self.folder / "made", "--json", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def refusal(self, result, *options):
+        done = run("export", result, *options, "--out", self.folder / "refused")
+        self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+        self.assertFalse((self.folder / "refused").exists())
+        return done.stderr
+
+    def read(self, document):
+        """The solids of the one STEP file of an export."""
+        (file,) = [file for file in document["files"] if file.endswith(".step")]
+        done = subprocess.run([READER, self.folder / file], capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        (assembly,) = json.loads(done.stdout)
+        self.assertTrue(all(solid["valid"] for solid in assembly["solids"]))
+        return assembly
+
+    def stl(self, document):
+        return {file.split(".")[-2]: (self.folder / file).read_text() for file in document["files"]}
+
+
+@unittest.skipIf(READER is None, "built without OpenCASCADE")
+class Linkages(Solids):
+    NAMES = ["klann-leg", "shaper", "toggle-press", "scotch-yoke"]
+
+    def sizes(self, result):
+        links = json.loads((self.folder / self.export(result, "--format", "json")["files"][0]).read_text())["links"]
+        least = min(length["length"] for link in links for length in link["lengths"])
+        return {name: share * least for name, share in
+                (("--hole", HOLE), ("--width", WIDTH), ("--thickness", THICKNESS), ("--washer", WASHER),
+                 ("--clearance", CLEARANCE))}
+
+    def test_plates_and_pins_have_the_volumes_and_places_of_the_parts(self):
+        plates = pins = 0
+        for name in self.NAMES:
+            with self.subTest(name):
+                result = self.result(LIBRARY / "analysis" / f"{name}.toml")
+                sizes = self.sizes(result)
+                options = [word for pair in sizes.items() for word in pair] + ["--length-unit", "mm"]
+                flat = self.export(result, "--format", "json", "--parts", *options)
+                parts = json.loads((self.folder / flat["files"][0]).read_text())
+                document = self.export(result, "--format", "step", "--parts", *options)
+                solids = self.read(document)["solids"]
+                self.assertEqual([s["name"] for s in solids], [s["name"] for s in document["solids"]])
+                by_name = {solid["name"]: solid for solid in solids}
+                layer = sizes["--thickness"] + sizes["--washer"]
+                for part in parts["parts"]:
+                    solid, plane = by_name[part["name"]], part["plane"] - 1
+                    self.assertAlmostEqual(solid["low"][2] / layer, plane, 3)
+                    self.assertAlmostEqual((solid["high"][2] - plane * layer) / sizes["--thickness"], 1, 3)
+                    expected = plate_area(part, sizes["--width"], sizes["--hole"] + sizes["--clearance"])
+                    if expected is None:
+                        continue
+                    self.assertAlmostEqual(solid["volume"] / (expected * sizes["--thickness"]), 1, 8)
+                    plates += 1
+                # A pin stands in a hole or slot of each of its parts, whichever the position.
+                for pin in parts["pins"]:
+                    solid = by_name[f"pin {pin['name']}"]
+                    (at,) = {tuple(round(x, 9) for x in one["at"]) for one in solid["cylinders"]}
+                    self.assertAlmostEqual(solid["low"][2] / layer, min(pin["planes"]) - 1, 3)
+                    self.assertAlmostEqual((solid["high"][2] - solid["low"][2]) / pin["length"], 1, 3)
+                    for number in pin["parts"]:
+                        held = [math.dist(one["at"], at) for one in by_name[number]["cylinders"]]
+                        if not any(slot for part in parts["parts"] if part["name"] == number for slot in part["slots"]):
+                            self.assertLess(min(held), 1e-6)
+                    pins += 1
+        self.assertGreaterEqual(plates, 15)
+        self.assertGreaterEqual(pins, 20)
+
+    def test_pins_are_where_the_linkage_has_its_joints_in_the_position(self):
+        result = self.result(LIBRARY / "analysis" / "klann-leg.toml")
+        for position in (77.5, 201):
+            linkage = json.loads((self.folder / self.export(
+                result, "--format", "json", "--position", position)["files"][0]).read_text())
+            table = (self.folder / self.export(result, "--format", "csv", "--steps", 720)["files"][0]).read_text()
+            rows = [row.split(",") for row in table.split()]
+            row = dict(zip(rows[0], next(r for r in rows[1:] if abs(float(r[0]) - position) < 1e-9)))
+            sizes = [word for pair in self.sizes(result).items() for word in pair]
+            solids = {solid["name"]: solid for solid in self.read(self.export(
+                result, "--format", "step", "--parts", *sizes, "--position", position,
+                "--length-unit", "cm"))["solids"]}
+            for joint in ("M", "C", "D", "E"):
+                at = [10 * float(row[f"{joint}_{axis}"]) for axis in "xy"]
+                self.assertLess(math.dist(solids[f"pin {joint}"]["cylinders"][0]["at"], at), 1e-6)
+            for link in linkage["links"]:
+                for length in link["lengths"]:
+                    ends = [f"pin {length[end]}" for end in ("from", "to")]
+                    if all(end in solids for end in ends):
+                        apart = math.dist(*(solids[end]["cylinders"][0]["at"] for end in ends))
+                        self.assertAlmostEqual(apart, 10 * length["length"], 6)
+
+    def test_units_bearings_spacers_and_repeats(self):
+        result = self.result(LIBRARY / "analysis" / "klann-leg.toml")
+        options = ("--parts", "--bearing", "608", "--width", 30, "--thickness", 7, "--spacers", "--length-unit", "mm")
+        self.assertIn("overlap", self.refusal(result, "--format", "step", *options))
+        text = (LIBRARY / "analysis" / "klann-leg.toml").read_text()
+        text = re.sub('title = .*', """title = "Kl\u00e4nn's \u03b2 1/2" """, text, count=1)
+        result = self.result('length_unit = "in"\n' + text.replace('length_unit = "m"\n', ""))
+        inches = ("--parts", "--hole", 0.05, "--width", 0.15, "--thickness", 0.05, "--spacers", "--format", "step")
+        document = self.export(result, *inches)
+        first = (self.folder / document["files"][0]).read_bytes()
+        first.decode("ascii")
+        assembly = self.read(document)
+        self.assertEqual(assembly["name"], "Kl\u00e4nn's \u03b2 1/2")
+        solids = assembly["solids"]
+        for own, solid in zip(document["solids"], solids):
+            self.assertAlmostEqual(solid["volume"] / (own["volume"] * 25.4 ** 3), 1, 9)
+        self.export(result, *inches)
+        self.assertEqual((self.folder / document["files"][0]).read_bytes(), first)
+
+    def test_bearings_sit_in_their_links_and_spacers_between(self):
+        text = (LIBRARY / "analysis" / "klann-leg.toml").read_text()
+        result = self.result('length_unit = "m"\n' + re.sub("(?m)^length_unit.*", "", text))
+        order = ("--parts", "--bearing", "608", "--width", 0.05, "--thickness", 0.007, "--spacers")
+        parts = json.loads((self.folder / self.export(result, "--format", "json", *order)["files"][0]).read_text())
+        planes = {part["name"]: part["plane"] for part in parts["parts"]}
+        solids = self.read(self.export(result, "--format", "step", *order))["solids"]
+        plates = {solid["name"]: solid for solid in solids}
+        # ISO 15: 8, 22, 7 mm.
+        bearings = [solid for solid in solids if solid["name"].startswith("bearing ")]
+        for solid in bearings:
+            self.assertAlmostEqual(solid["volume"], math.pi / 4 * (22 ** 2 - 8 ** 2) * 7, 6)
+            link = solid["name"].split(" in ")[1]
+            self.assertAlmostEqual(solid["low"][2], 7 * (planes[link] - 1), 6)
+            seats = [hole["at"] for hole in plates[link]["cylinders"] if math.isclose(hole["radius"], 11)]
+            self.assertLess(min(math.dist(seat, solid["cylinders"][0]["at"]) for seat in seats), 1e-6)
+        self.assertEqual(len(bearings), next(row["quantity"] for row in parts["bill"] if row["item"] == "bearing"))
+        spacers = [solid for solid in solids if solid["name"].startswith("spacer ")]
+        rows = {row["name"]: row for row in parts["bill"] if row["item"] == "spacer"}
+        for solid in spacers:
+            row = rows[solid["name"].removeprefix("spacer ")]
+            self.assertAlmostEqual(solid["volume"], math.pi / 4 * ((1e3 * row["outside"]) ** 2 - 8 ** 2) * 7, 6)
+            self.assertIn(round(solid["low"][2] / 7) + 1, row["layers"])
+            pin = plates["pin " + row["name"]]["cylinders"][0]["at"]
+            self.assertLess(math.dist(pin, solid["cylinders"][0]["at"]), 1e-6)
+        self.assertEqual(len(spacers), sum(row["quantity"] for row in rows.values()))
+        self.assertGreaterEqual(len(bearings), 7)
+        self.assertGreaterEqual(len(spacers), 1)
+
+    def test_bosses_fill_what_pins_cross(self):
+        """Each plate has the volume of the tubes between it and the next plate of its pins more than without."""
+        text = (LIBRARY / "analysis" / "klann-leg.toml").read_text()
+        result = self.result('length_unit = "m"\n' + re.sub("(?m)^length_unit.*", "", text))
+        hole, thickness, washer = 0.008, 0.007, 0.001
+        order = ("--parts", "--hole", hole, "--width", 0.03, "--thickness", thickness, "--washer", washer)
+        parts = json.loads((self.folder / self.export(result, "--format", "json", *order)["files"][0]).read_text())
+        planes = {part["name"]: part["plane"] for part in parts["parts"]}
+        spacer = next(row for row in parts["bill"] if row["item"] == "spacer")
+        boss = spacer["outside"]
+        plain = {solid["name"]: solid for solid in self.read(self.export(result, "--format", "step", *order))["solids"]}
+        made = self.read(self.export(result, "--format", "step", *order, "--boss", boss))["solids"]
+        self.assertEqual({solid["name"] for solid in made}, set(plain))
+        more = dict.fromkeys(plain, 0)
+        ring = math.pi / 4 * (boss ** 2 - hole ** 2) * 1e9
+        for pin in parts["pins"]:
+            held = sorted(pin["parts"], key=planes.get)
+            for low, high in zip(held, held[1:]):
+                crossed = planes[high] - planes[low] - 1
+                more[low] += crossed * (thickness + washer) * ring if crossed else 0
+        self.assertGreater(sum(more.values()), 0)
+        for solid in made:
+            self.assertAlmostEqual(solid["volume"] - plain[solid["name"]]["volume"], more[solid["name"]], 3)
+        self.assertIn("no more than the width", self.refusal(result, "--format", "step", *order, "--boss", 0.04))
+        self.assertIn("no more than the width", self.refusal(result, "--format", "step", *order, "--boss", hole))
+        self.assertIn("--spacers", self.refusal(result, "--format", "step", *order, "--boss", boss, "--spacers"))
+        self.assertIn("is that of solids", self.refusal(result, "--format", "dxf", *order, "--boss", boss))
+        # Between wide links there is room for slim bosses alone.
+        wide = ("--format", "step", "--parts", "--hole", 0.02, "--width", 0.5, "--thickness", 0.1, "--boss")
+        slim = float(re.search(r"would meet another part; one of (\S+) fits", self.refusal(result, *wide, 0.5))[1])
+        self.assertTrue(0.02 < slim < 0.5, slim)
+        self.export(result, *wide, slim)
+        self.refusal(result, *wide, 1.3 * slim)
+
+    def test_facets_are_closed_and_hold_the_volume(self):
+        result = self.result(LIBRARY / "analysis" / "shaper.toml")
+        sizes = [word for pair in self.sizes(result).items() for word in pair]
+        document = self.export(result, "--format", "stl", "--parts", *sizes, "--length-unit", "mm")
+        self.assertEqual(len(document["files"]), len(document["solids"]))
+        for solid, text in zip(document["solids"], self.stl(document).values()):
+            self.check_facets(text, solid["volume"], 3e-2)
+
+    def check_facets(self, text, volume, tolerance):
+        facets = facets_of(text)
+        edges = {}
+        for facet in facets:
+            for a, b in zip(facet, facet[1:] + facet[:1]):
+                edges[a, b] = edges.get((a, b), 0) + 1
+        self.assertTrue(all(edges.get((b, a)) == count == 1 for (a, b), count in edges.items()))
+        self.assertAlmostEqual(volume_of(facets) / volume, 1, delta=tolerance)
+        self.assertAlmostEqual(min(corner[2] for facet in facets for corner in facet), 0, 12)
+
+    def test_what_is_wrong_is_said(self):
+        result = self.result(LIBRARY / "analysis" / "crank-rocker.toml")
+        parts = ("--parts", "--hole", 0.2, "--width", 0.5)
+        for wrong, message in [
+            ((), "expected --parts --hole D --width W --thickness T with it"),
+            (parts, "expected --thickness T with it"),
+            ((*parts, "--thickness", 1e-5), "solids from 0.01 mm to 1 km are allowed"),
+            ((*parts, "--thickness", 1, "--kerf", 0.1), "--kerf: is that of a drawing; expected --format dxf, svg"),
+            ((*parts, "--thickness", 1, "--sheet", "5x5"), "--sheet: is that of a drawing"),
+            ((*parts, "--thickness", 1, "--chord-tolerance", 1), "--chord-tolerance"),
+            ((*parts, "--thickness", 1, "--bore", 1), "is for gears and cams"),
+            ((*parts, "--thickness", 1, "--position", "x"), "--position"),
+            ((*parts, "--thickness", 1e9, "--length-unit", "m"), "to 1 km are allowed"),
+        ]:
+            self.assertIn(message, self.refusal(result, "--format", "step", *wrong))
+        self.assertIn("--hub-length: is that of solids",
+                      self.refusal(result, "--format", "dxf", *parts, "--hub-length", 3))
+
+
+@unittest.skipIf(READER is None, "built without OpenCASCADE")
+class Wheels(Solids):
+    def test_gears_hold_the_area_of_their_teeth(self):
+        for teeth, shift, bore, hub in [(17, 0.3, 8, 0), (35, 0, 20, 40), (9, 0.5, 0, 0)]:
+            with self.subTest(teeth=teeth):
+                result = self.result(gear(teeth, shift))
+                fine = self.export(result, "--format", "json", "--chord-tolerance", 0.00005)
+                drawn = json.loads((self.folder / fine["files"][0]).read_text())["gears"][0]
+                expected = 12 * area([point[:2] for point in drawn["outline"]])
+                options = ["--thickness", 12]
+                if bore:
+                    options += ["--bore", bore]
+                    expected -= 12 * math.pi * bore ** 2 / 4
+                if hub:
+                    options += ["--hub", hub, "--hub-length", 30]
+                    expected += 18 * math.pi * (hub ** 2 - bore ** 2) / 4
+                (solid,) = self.read(self.export(result, "--format", "step", *options))["solids"]
+                self.assertAlmostEqual(solid["volume"] / expected, 1, 5)
+                self.assertAlmostEqual(solid["high"][2], 30 if hub else 12, 3)
+                facets = self.export(result, "--format", "stl", *options)
+                Linkages.check_facets(self, *self.stl(facets).values(), expected, 2e-3)
+
+    def test_a_keyway_is_cut_through_the_hub(self):
+        result = self.result(gear(35))
+        plain, keyed = (self.read(self.export(result, "--format", "step", "--thickness", 12, "--bore", 20, "--hub", 40,
+                                              "--hub-length", 30, *more))["solids"][0]["volume"]
+                        for more in ((), ("--keyway",)))
+        # DIN 6885 for 20 mm: 6 wide, 2.8 into the hub.
+        radius, half = 10, 3
+        foot = math.sqrt(radius ** 2 - half ** 2)
+        segment = radius ** 2 * math.asin(half / radius) - half * foot
+        self.assertAlmostEqual(plain - keyed, 30 * (6 * (12.8 - foot) - segment), 6)
+
+    def test_a_pair_stands_in_mesh_and_a_ring_has_its_rim(self):
+        result = self.result(LIBRARY / "gear-pair" / "internal.toml", "solve")
+        document = self.export(result, "--format", "step", "--thickness", 8)
+        self.assertTrue(any("rim of the ring" in note for note in document["notes"]))
+        self.assertTrue(any("no unit of length" in note for note in document["notes"]))
+        pinion, wheel = self.read(document)["solids"]
+        gears = json.loads((self.folder / self.export(result, "--format", "json", "--chord-tolerance", 1e-4)
+                            ["files"][0]).read_text())["gears"]
+        reach = gears[1]["root_radius"] + 2 * gears[1]["transverse_module"]
+        teeth = [area([point[:2] for point in gear["outline"]]) for gear in gears]
+        self.assertAlmostEqual(pinion["volume"] / (8 * teeth[0]), 1, 4)
+        self.assertAlmostEqual(wheel["volume"] / (8 * (math.pi * reach ** 2 - abs(teeth[1]))), 1, 4)
+        centre = [(low + high) / 2 for low, high in zip(wheel["low"], wheel["high"])]
+        self.assertLess(math.dist(centre[:2], gears[1]["centre"]), 1e-5)
+
+    def test_cams_hold_the_area_of_their_profile(self):
+        cams = 0
+        for more in ("", 'closure = "conjugate"'):
+            result = self.result(ROLLER_CAM.format(more=more), "solve")
+            document = self.export(result, "--format", "step", "--thickness", 6, "--bore", 10, "--hub", 24, "--hub-length", 9)
+            solids = self.read(document)["solids"]
+            table = self.export(result, "--format", "csv", "--chord-tolerance", 1e-5)
+            profiles = [[tuple(map(float, row.split(",")[1:3])) for row in (self.folder / file).read_text().split()[1:]]
+                        for file in table["files"]]
+            self.assertEqual(len(solids), len(profiles))
+            for i, (solid, profile) in enumerate(zip(solids, profiles)):
+                expected = 6 * (abs(area(profile)) - math.pi * 25)
+                if i + 1 == len(solids):
+                    expected += 3 * math.pi * (144 - 25)
+                self.assertAlmostEqual(solid["volume"] / expected, 1, 6)
+                self.assertAlmostEqual(solid["low"][2], 6 * i, 3)
+                cams += 1
+        self.assertEqual(cams, 3)
+
+    def test_what_is_wrong_is_said(self):
+        result = self.result(gear(20))
+        for wrong, message in [
+            ((), "expected --thickness T with it"),
+            (("--thickness", 5, "--hub", 30), "expected --hub-length L with it, more than the thickness 5"),
+            (("--thickness", 5, "--hub", 30, "--hub-length", 4), "more than the thickness 5"),
+            (("--thickness", 5, "--bore", 90), "--bore"),
+            (("--thickness", 0), "--thickness"),
+            (("--thickness", 5, "--kerf", 1), "--kerf"),
+            (("--thickness", 5, "--hole", 1), "is that of parts"),
+        ]:
+            self.assertIn(message, self.refusal(result, "--format", "step", *wrong))
+        helical = self.result(LIBRARY / "gear-pair" / "helical.toml", "solve")
+        self.assertIn("helical teeth", self.refusal(helical, "--format", "stl", "--thickness", 5))
+        cam = self.result(ROLLER_CAM.format(more='closure = "groove"'), "solve")
+        self.assertIn("grooves", self.refusal(cam, "--format", "step", "--thickness", 5))
+        self.assertIn("--curve", self.refusal(cam, "--format", "step", "--thickness", 5, "--curve", "pitch"))
+
+
+@unittest.skipIf(READER is not None, "built with OpenCASCADE")
+class Without(Solids):
+    def test_what_to_install_is_said(self):
+        result = self.result(gear(20))
+        self.assertIn("libocct-data-exchange-dev", self.refusal(result, "--format", "step", "--thickness", 5))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
