@@ -113,6 +113,32 @@ synthesis::ChainDesign within_bounds(const ChainSpace& space, synthesis::ChainDe
   return design;
 }
 
+synthesis::ChainDesign with_guides_forward(const ChainSpace& space, synthesis::ChainDesign design) {
+  const auto is_on = [&](std::size_t slider, int guide) {
+    const auto& line = space.lines[slider].line;
+    return line.type == synthesis::LineType::slider && line.second == guide;
+  };
+  for (int k = 0; k < static_cast<int>(space.lines.size()); ++k) {
+    const auto& [line, parameter] = space.lines[static_cast<std::size_t>(k)];
+    if (line.type != synthesis::LineType::guide) continue;
+    const auto at = static_cast<std::size_t>(parameter);
+    double &direction = design.parameters[at], &offset = design.parameters[at + 1];
+    direction = std::remainder(direction, kTurn);
+    bool is_open = !space.given[at] && (!space.given[at + 1] || offset == 0) &&
+                   -offset >= space.lower[at + 1] && -offset <= space.upper[at + 1];
+    for (std::size_t i = 0; i < space.lines.size(); ++i) {
+      if (is_on(i, k) && space.topology->lines[i].assembly) is_open = false;
+    }
+    if (!is_open || std::abs(direction) <= kPi / 2) continue;
+    direction -= std::copysign(kPi, direction);
+    offset = -offset;
+    for (std::size_t i = 0; i < space.lines.size(); ++i) {
+      if (is_on(i, k)) design.side[i] = -design.side[i];
+    }
+  }
+  return design;
+}
+
 bool is_same_chain(const synthesis::ChainDesign& known, const synthesis::ChainDesign& other,
                    double tolerance) {
   if (known.side != other.side) return false;

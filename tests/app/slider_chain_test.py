@@ -243,7 +243,7 @@ rms_error_max = 1
                 ("offset = 10", "offset = 30", "outside its bounds"),
                 ("offset = 10", "offset = 10, direction_deg = 1e9", "direction_deg"),
                 ("offset = 10", 'offset = 10, through = "C"', "through", "no pivot"),
-                ("offset = 10", "offset = 10, on = 3", "slide.on"),
+                ("offset = 10", "offset = 10, on = 3", "slide", "on"),
                 ('output = "Q"', 'output = "C"', "no slider", "RRP"),
                 ('output = "Q"', 'output = ["C", "Q"]', "output_range"),
                 ("output_range = 60", "output_range_deg = 60", "output_range"),
