@@ -54,10 +54,13 @@ class FunctionDraw {
   std::optional<ChainFunctionDesign> best() {
     if (space_.slides() ? ends_in_free_slider(space_) : ends_in_free_dyad(space_)) {
       draw_on_circles();
-    } else {
+    }
+    // Where no circle is near, the dyad on the nearest need not close.
+    if (!chosen() || !std::isfinite(error_of(*chosen()))) {
+      best_inside_ = best_ = {};
       draw_whole();
     }
-    return best_inside_.design ? std::move(best_inside_.design) : std::move(best_.design);
+    return chosen();
   }
 
  private:
@@ -146,6 +149,10 @@ class FunctionDraw {
     if (const auto chain = hung(space_, carrier.design, pivot, circle, seen_[0])) {
       take({*chain, start}, error);
     }
+  }
+
+  const std::optional<ChainFunctionDesign>& chosen() const {
+    return best_inside_.design ? best_inside_.design : best_.design;
   }
 
   void take(const ChainFunctionDesign& design, double error) {
