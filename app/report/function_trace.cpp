@@ -10,12 +10,14 @@
 namespace cognate::app {
 namespace {
 
-nlohmann::ordered_json rounded_degrees(const std::vector<double>& angles) {
+nlohmann::ordered_json rounded(const std::vector<double>& values, double unit = 1) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const double angle : angles) {
-    list.push_back(round_to_digits(kDegreesInRadian * angle, kDrawnDigits));
-  }
+  for (const double value : values) list.push_back(round_to_digits(unit * value, kDrawnDigits));
   return list;
+}
+
+nlohmann::ordered_json rounded_degrees(const std::vector<double>& angles) {
+  return rounded(angles, kDegreesInRadian);
 }
 
 }  // namespace
@@ -33,7 +35,7 @@ FunctionTrace function_trace(
       trace.x.push_back(std::lerp(function->domain.min, function->domain.max, share));
     }
     trace.crank.push_back(start + pairs[i].input);
-    trace.error.push_back(std::remainder(*error, kTurn));
+    trace.error.push_back(*error);
   }
   return trace;
 }
@@ -48,19 +50,19 @@ FunctionTrace function_trace(const problems::FunctionProblem& problem,
   const auto error_at = [&](const synthesis::AnglePair& pair) -> std::optional<double> {
     const auto pose = motion.at(start + pair.input);
     if (!pose) return std::nullopt;
-    return pose->rocker_angle - (frame + *output_start + pair.output);
+    return std::remainder(pose->rocker_angle - (frame + *output_start + pair.output), kTurn);
   };
   return function_trace(std::get_if<problems::FunctionOfX>(&problem.target), wanted, start,
                         error_at);
 }
 
-nlohmann::ordered_json trace_json(const FunctionTrace& trace) {
+nlohmann::ordered_json trace_json(const FunctionTrace& trace, bool slides) {
   using nlohmann::ordered_json;
-  ordered_json x = ordered_json::array();
-  for (const double value : trace.x) x.push_back(round_to_digits(value, kDrawnDigits));
-  return {{"x", trace.x.empty() ? ordered_json(nullptr) : x},
-          {"crank_deg", rounded_degrees(trace.crank)},
-          {"error_deg", rounded_degrees(trace.error)}};
+  ordered_json table{{"x", trace.x.empty() ? ordered_json(nullptr) : rounded(trace.x)},
+                     {"crank_deg", rounded_degrees(trace.crank)}};
+  table[slides ? "error" : "error_deg"] =
+      slides ? rounded(trace.error) : rounded_degrees(trace.error);
+  return table;
 }
 
 }  // namespace cognate::app

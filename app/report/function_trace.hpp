@@ -16,7 +16,7 @@ namespace cognate::app {
 struct FunctionTrace {
   std::vector<double> x;      ///< the function's argument; empty for angle pairs
   std::vector<double> crank;  ///< from the x axis, continuous
-  std::vector<double> error;  ///< rocker angle generated less wanted, in [−π, π]
+  std::vector<double> error;  ///< output generated less wanted; angles in [−π, π]
 };
 
 /// The structural error over the whole domain in equal steps, or at the angle pairs, by `error_at`,
@@ -33,7 +33,8 @@ FunctionTrace function_trace(const problems::FunctionProblem& problem,
                              const problems::FunctionSamples& wanted,
                              const problems::Design& design);
 
-/// The trace as pages read it: `x`, null for angle pairs, `crank_deg` and `error_deg`.
-nlohmann::ordered_json trace_json(const FunctionTrace& trace);
+/// The trace as pages read it: `x`, null for angle pairs, `crank_deg` and `error_deg`; `error`
+/// where the output slides.
+nlohmann::ordered_json trace_json(const FunctionTrace& trace, bool slides = false);
 
 }  // namespace cognate::app

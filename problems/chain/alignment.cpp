@@ -6,6 +6,7 @@
 
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "synthesis/chain/transform.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -200,17 +201,7 @@ Alignment AlignmentTarget::align_arcs(const DrawnCurve& curve) const {
 synthesis::ChainDesign aligned(const ScaledChain& problem, const DrawnChain& drawn,
                                const Alignment& alignment) {
   synthesis::ChainDesign design = drawn.design;
-  const double factor = norm(alignment.turn);
-  for (const auto& [line, parameter] : problem.lines) {
-    double* own = design.parameters.data() + parameter;
-    if (line.type == synthesis::LineType::pivot) {
-      const Vec2d moved = alignment.move + alignment.turn * Vec2d{own[0], own[1]};
-      own[0] = moved.x;
-      own[1] = moved.y;
-    } else {
-      for (int i = 0; i < synthesis::parameter_count(line.type); ++i) own[i] *= factor;
-    }
-  }
+  synthesis::transform(problem.lines, alignment.turn, alignment.move, design.parameters);
   return design;
 }
 

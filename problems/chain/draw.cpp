@@ -47,6 +47,13 @@ Distances distances(const DrawnCurve& a, const DrawnCurve& b) {
   return {std::sqrt(least), std::sqrt(greatest)};
 }
 
+/// How far a curve reaches in a direction, from the origin.
+Distances extent(const DrawnCurve& curve, const Vec2d& direction) {
+  const auto [least, greatest] =
+      std::ranges::minmax(curve, {}, [&](const Vec2d& point) { return dot(direction, point); });
+  return {dot(direction, least), dot(direction, greatest)};
+}
+
 class Drawing {
  public:
   /// `is_part`: the positions are those of a part of the turn.
@@ -82,6 +89,10 @@ class Drawing {
         return draw_dyad(k);
       case LineType::attached:
         return draw_attached(k);
+      case LineType::guide:
+        return true;
+      case LineType::slider:
+        return draw_slider(k);
     }
     return false;
   }
@@ -154,6 +165,36 @@ class Drawing {
     drawn_.design.side[k] = open ? 1 : -1;
     for (std::size_t i = 0; i < curves_[k].size(); ++i) {
       curves_[k][i] = synthesis::dyad_joint(curves_[p][i], curves_[q][i], a, b, open ? 1.0 : -1.0);
+      if (!is_finite(curves_[k][i])) return false;
+    }
+    return true;
+  }
+
+  /// A guide beside or across the curve of the point that the slider's link joins, with a link that
+  /// keeps its transmission angle within the limit.
+  bool draw_slider(std::size_t k) {
+    const ChainLine& line = space_.lines[k].line;
+    const auto p = static_cast<std::size_t>(line.first), g = static_cast<std::size_t>(line.second);
+    const auto through = static_cast<std::size_t>(space_.lines[g].line.first);
+    if (!placed(p)) put_pivot(p, around({}, 3));
+    const Vec2d guide = unit_vector(put(g, 0, uniform(random_, -kPi / 2, kPi / 2)));
+    const auto [least, greatest] = extent(curves_[p], perp(guide));
+    const double half = std::max(0.5 * (greatest - least), 1e-3 * least_radius_);
+    const double level = 0.5 * (least + greatest) + 2 * half * uniform(random_, -1, 1);
+    if (!placed(through)) {
+      put_pivot(through, level * perp(guide) + around(curves_[p].front(), 3));
+    }
+    const double from = dot(perp(guide), curves_[through].front());
+    const double at = from + put(g, 1, level - from);
+    const double farthest = std::max(std::abs(at - least), std::abs(at - greatest));
+    const double sine = std::min(space_.cosine_limit, 0.98) * log_uniform(random_, 0.1, 1);
+    const double length = put(k, 0, farthest / sine);
+    const auto assembly = space_.topology->lines[k].assembly;
+    const bool open = assembly ? *assembly == Assembly::open : uniform(random_, 0, 1) < 0.5;
+    drawn_.design.side[k] = open ? 1 : -1;
+    const Vec2d on = curves_[through].front() + (at - from) * perp(guide);
+    for (std::size_t i = 0; i < curves_[k].size(); ++i) {
+      curves_[k][i] = synthesis::slider_pin(curves_[p][i], on, guide, length, open ? 1.0 : -1.0);
       if (!is_finite(curves_[k][i])) return false;
     }
     return true;

@@ -47,11 +47,25 @@ class FreeChain {
   /// Of the angle of the way from the point of line `from` to that of `to`.
   double angle_slope(int from, int to, double* row) {
     clear();
-    const Vec2d way = place_.at[to] - place_.at[from];
-    const Vec2d across = (1 / squared_norm(way)) * perp(way);
+    const Vec2d along = way(from, to);
+    const Vec2d across = (1 / squared_norm(along)) * perp(along);
     seed_[static_cast<std::size_t>(to)] = across;
     seed_[static_cast<std::size_t>(from)] = -across;
     return swept(std::max(from, to), row);
+  }
+
+  /// From the point of line `from` to that of `to`.
+  Vec2d way(int from, int to) const { return place_.at[to] - place_.at[from]; }
+
+  /// How far the slider of line `to` is along its guide `from`.
+  double displacement(int from, int to) const { return dot(place_.axis[from], way(from, to)); }
+
+  /// Its derivatives.
+  double displacement_slope(int from, int to, double* row) {
+    clear();
+    seed_[static_cast<std::size_t>(to)] = place_.axis[from];
+    seed_[static_cast<std::size_t>(from)] = -place_.axis[from];
+    return swept(to, row);
   }
 
   /// cos μ of a joint.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/numbers/angle.hpp"
+
 namespace cognate::problems {
 namespace {
 
@@ -92,6 +94,36 @@ std::optional<synthesis::ChainDesign> hung(const OutputSpace& space,
   at[space.lines[to].parameter] = circle.radius;
   at[space.lines[to].parameter + 1] = norm(circle.centre - pivot);
   chain.side[to] = cross(pivot - point, circle.centre - point) > 0 ? 1 : -1;
+  const auto& assembly = space.topology->lines[to].assembly;
+  if (assembly && (*assembly == Assembly::open) != (chain.side[to] > 0)) return std::nullopt;
+  return chain;
+}
+
+bool ends_in_free_slider(const OutputSpace& space) {
+  const auto to = static_cast<std::size_t>(space.to), from = static_cast<std::size_t>(space.from);
+  const auto is_given = [&](std::size_t line, int index) {
+    const int place = space.lines[line].parameter + index;
+    return space.given[static_cast<std::size_t>(place)].has_value();
+  };
+  const bool is_last = to + 1 == space.lines.size() && from + 1 == to;
+  return is_last && !is_given(from, 1) && !is_given(to, 0);
+}
+
+std::optional<synthesis::ChainDesign> with_slider(const OutputSpace& space,
+                                                  const synthesis::ChainDesign& carrier,
+                                                  const Vec2d& guide, const CircleNear& circle,
+                                                  const Vec2d& point) {
+  const auto to = static_cast<std::size_t>(space.to), from = static_cast<std::size_t>(space.from);
+  synthesis::ChainDesign chain = carrier;
+  chain.parameters.resize(space.given.size());
+  chain.side.resize(space.lines.size(), 0);
+  double* at = chain.parameters.data();
+  const auto pivot = static_cast<std::size_t>(space.lines[from].line.first);
+  const double* through = at + space.lines[pivot].parameter;
+  at[space.lines[from].parameter] = angle_of(guide);
+  at[space.lines[from].parameter + 1] = cross(guide, circle.centre - Vec2d{through[0], through[1]});
+  at[space.lines[to].parameter] = circle.radius;
+  chain.side[to] = dot(guide, circle.centre - point) > 0 ? 1 : -1;
   const auto& assembly = space.topology->lines[to].assembly;
   if (assembly && (*assembly == Assembly::open) != (chain.side[to] > 0)) return std::nullopt;
   return chain;

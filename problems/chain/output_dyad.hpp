@@ -27,6 +27,10 @@ CircleNear circle_near(std::span<const Vec2d> points);
 /// chain, right after G, with free dimensions, so that a circle gives them.
 bool ends_in_free_dyad(const OutputSpace& space);
 
+/// The same of a slider on its guide: the last two lines, whose pin stands still in the plane that
+/// moves with the slider.
+bool ends_in_free_slider(const OutputSpace& space);
+
 /// The chain up to E, of such a space.
 class OutputCarrier {
  public:
@@ -47,5 +51,12 @@ std::optional<synthesis::ChainDesign> hung(const OutputSpace& space,
                                            const synthesis::ChainDesign& carrier,
                                            const Vec2d& pivot, const CircleNear& circle,
                                            const Vec2d& point);
+
+/// The whole chain with a slider on a guide in the direction `guide`: its pin is in the centre of
+/// the circle where the carrying point is at `point`.
+std::optional<synthesis::ChainDesign> with_slider(const OutputSpace& space,
+                                                  const synthesis::ChainDesign& carrier,
+                                                  const Vec2d& guide, const CircleNear& circle,
+                                                  const Vec2d& point);
 
 }  // namespace cognate::problems

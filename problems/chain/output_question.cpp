@@ -23,4 +23,16 @@ std::optional<OutputQuestion> output_question(const NamedMechanism& mechanism,
   return asked;
 }
 
+std::optional<OutputQuestion> displacement_question(const NamedMechanism& mechanism,
+                                                    const std::string& pin, const Vec2d& direction,
+                                                    const std::vector<double>& angles) {
+  auto [question, kept] = question_at(mechanism, angles);
+  auto response = point_response(mechanism, pin);
+  if (!response || kept.size() != angles.size()) return std::nullopt;
+  response->type = ResponseType::along;
+  response->direction = direction;
+  question.quantities.push_back({.name = "output", .response = *response, .judged = true});
+  return OutputQuestion{std::move(question), {}};
+}
+
 }  // namespace cognate::problems

@@ -1,4 +1,4 @@
-/// @file The tolerances of a chain whose output is an angle.
+/// @file The tolerances of a chain whose output is an angle or a displacement.
 #pragma once
 
 #include <array>
@@ -21,5 +21,11 @@ struct OutputQuestion {
 std::optional<OutputQuestion> output_question(const NamedMechanism& mechanism,
                                               const std::array<std::string, 2>& output,
                                               const std::vector<double>& angles);
+
+/// The same for the displacement of the point called `pin` along `direction`, a unit vector;
+/// nothing is said of its way.
+std::optional<OutputQuestion> displacement_question(const NamedMechanism& mechanism,
+                                                    const std::string& pin, const Vec2d& direction,
+                                                    const std::vector<double>& angles);
 
 }  // namespace cognate::problems

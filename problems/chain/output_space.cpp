@@ -14,10 +14,6 @@ constexpr double kMostUnits = 8, kLeastUnits = 0.05;
 /// Of a cosine: what a search may miss its limit by.
 constexpr double kMargin = 3e-7;
 
-bool is_of_length(const TopologyLine& line) {
-  return line.line.type == LineType::crank || line.line.type == LineType::dyad;
-}
-
 bool is_pivot(const TopologyLine& line) {
   return line.line.type == LineType::pivot;
 }
@@ -65,6 +61,15 @@ Topology framed(const Topology& from, const OutputFrame& frame) {
   }
   if (is_open(own)) own.given = {0.0, 0.0};
   if (frame.keeps_direction || !own.given[1]) return topology;
+  const auto is_guide = [](const TopologyLine& line) { return line.line.type == LineType::guide; };
+  const auto guide = std::ranges::find_if(topology.lines, is_guide);
+  if (guide != topology.lines.end()) {
+    const bool is_directed = std::ranges::any_of(from.lines, [&](const TopologyLine& line) {
+      return is_guide(line) && line.given[0].has_value();
+    });
+    if (!is_directed) guide->given[0] = 0.0;
+    return topology;
+  }
   const auto other = std::ranges::find_if(
       topology.lines, [&](const TopologyLine& line) { return is_pivot(line) && &line != &own; });
   if (other != topology.lines.end()) other->given[1] = own.given[1];
@@ -96,7 +101,7 @@ double greatest_distance(const std::vector<Vec2d>& places) {
 
 /// Centre: the crank's pivot where it is known, else the middle of the others. Size: the crank,
 /// else a third of the longest link, else of the greatest distance of pivots.
-TargetScale scale_of(const Topology& framed) {
+TargetScale scale_of(const Topology& framed, const OutputFrame& frame) {
   TargetScale scale;
   const TopologyLine& crank = crank_of(framed.lines);
   const auto& pivot = framed.lines[static_cast<std::size_t>(crank.line.first)].given;
@@ -107,7 +112,7 @@ TargetScale scale_of(const Topology& framed) {
   if (pivot[0] && pivot[1]) scale.centre = {*pivot[0], *pivot[1]};
   double longest = 0;
   for (const TopologyLine& line : framed.lines) {
-    if (!is_of_length(line)) continue;
+    if (!has_lengths(line.line.type)) continue;
     for (const auto& length : line.given) longest = std::max(longest, length.value_or(0) / 3);
   }
   if (longest == 0) longest = greatest_distance(places) / 3;
@@ -115,6 +120,8 @@ TargetScale scale_of(const Topology& framed) {
   const Range& bound = crank.bounds[0];
   if (longest == 0 && std::isfinite(bound.max)) scale.size = 0.5 * (bound.min + bound.max);
   if (crank.given[0]) scale.size = *crank.given[0];
+  const bool is_known = crank.given[0] || longest > 0 || std::isfinite(bound.max);
+  if (!is_known && frame.keeps_size) scale.size = frame.size;
   return scale;
 }
 
@@ -127,17 +134,22 @@ int named_line(const Topology& topology, const std::string& name) {
 
 OutputSpace::OutputSpace(const Topology& given, const std::array<std::string, 2>& output,
                          const Range& transmission, const OutputFrame& frame)
-    : OutputSpace(given, output, transmission, framed(given, frame)) {}
+    : OutputSpace(given, output, transmission, framed(given, frame), frame) {}
 
 OutputSpace::OutputSpace(const Topology& given, const std::array<std::string, 2>& output,
-                         const Range& transmission, const Topology& framed)
-    : ChainSpace(framed, scale_of(framed), transmission),
-      scale(scale_of(framed)),
+                         const Range& transmission, const Topology& framed,
+                         const OutputFrame& frame)
+    : ChainSpace(framed, scale_of(framed, frame), transmission),
+      scale(scale_of(framed, frame)),
       from(named_line(given, output[0])),
       to(named_line(given, output[1])) {
   limit_open(kLeastUnits, kMostUnits);
   topology = &given;
   cosine_limit -= kMargin;
+}
+
+bool OutputSpace::slides() const {
+  return lines[static_cast<std::size_t>(from)].line.type == LineType::guide;
 }
 
 double relative_angle(const Vec2d& way, const Vec2d& reference) {

@@ -1,5 +1,5 @@
-/// @file The designs of a chain whose output is an angle: what moves, turns or enlarges the whole
-/// mechanism changes nothing of it.
+/// @file The designs of a chain whose output is an angle, or the displacement of a slider: what
+/// moves or turns the whole mechanism changes nothing of it, nor of an angle what enlarges it.
 #pragma once
 
 #include <array>
@@ -13,23 +13,29 @@ namespace cognate::problems {
 struct OutputFrame {
   bool keeps_size = false;
   bool keeps_direction = false;
+  double size = 1;  ///< the unit where it is kept and the file gives no length
 };
 
 /// The designs of one topology by the angle of the way from the point of line `from` to that of
-/// `to`. The unit is the crank where its length is known. As far as the file and `OutputFrame`
-/// leave these open, the crank has the length 1 (or the nearest that its bounds allow) and turns
-/// about the origin, and the first other pivot is level with its own.
+/// `to`; where `from` is a guide, by the displacement of its slider `to`. The unit is the crank
+/// where its length is known. As far as the file and `OutputFrame` leave these open, the crank has
+/// the length 1 (or the nearest that its bounds allow) and turns about the origin, and the first
+/// other pivot is level with its own; where there are guides, the first is level instead.
 struct OutputSpace : ChainSpace {
   TargetScale scale;
   int from, to;
 
-  /// `output`: names of the two points. `transmission`: radians; the narrower side counts.
+  /// Whether the output is the displacement of a slider.
+  bool slides() const;
+
+  /// `output`: names of the two points, or of the guide and its slider. `transmission`: radians;
+  /// the narrower side counts.
   OutputSpace(const Topology& topology, const std::array<std::string, 2>& output,
               const Range& transmission, const OutputFrame& frame);
 
  private:
   OutputSpace(const Topology& topology, const std::array<std::string, 2>& output,
-              const Range& transmission, const Topology& framed);
+              const Range& transmission, const Topology& framed, const OutputFrame& frame);
 };
 
 /// The angle of `way` relative to `reference`: within half a turn of it.

@@ -5,6 +5,7 @@
 
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "synthesis/chain/transform.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -45,21 +46,8 @@ struct Move {
 
 PlacedChain moved(const ScaledChain& scaled, const ChainMinimum& found, const Move& move) {
   PlacedChain made{found.design, found.angles, {}};
-  const double size = norm(move.turn);
   auto& parameters = made.design.parameters;
-  for (const auto& [line, first] : scaled.lines) {
-    const auto at = static_cast<std::size_t>(first);
-    if (line.type == LineType::pivot) {
-      const Vec2d place =
-          move.place + move.turn * (Vec2d{parameters[at], parameters[at + 1]} - move.from);
-      parameters[at] = place.x;
-      parameters[at + 1] = place.y;
-      continue;
-    }
-    for (int i = 0; i < synthesis::parameter_count(line.type); ++i) {
-      parameters[at + static_cast<std::size_t>(i)] *= size;
-    }
-  }
+  synthesis::transform(scaled.lines, move.turn, move.place - move.turn * move.from, parameters);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     parameters[i] =
         scaled.given[i].value_or(std::clamp(parameters[i], scaled.lower[i], scaled.upper[i]));

@@ -26,6 +26,12 @@ ChainPlaces::ChainPlaces(std::span<const ChainLine> lines, std::span<const doubl
         bodies_.push_back({{first, {}}, {i, {parameter(0), 0}}});
         bodies_.push_back({{second, {}}, {i, {parameter(1), 0}}});
         break;
+      case LineType::guide:
+        break;
+      case LineType::slider:
+        bodies_.push_back({{first, {}}, {i, {parameter(0), 0}}});
+        bodies_.push_back({{i, {}}});
+        break;
       case LineType::attached:
         if (const auto body = common_body(first, second)) {
           const Vec2d at = in_body(first, second, {parameter(0), parameter(1)});

@@ -16,7 +16,6 @@
 namespace cognate::problems {
 namespace {
 
-using synthesis::LineType;
 using synthesis::RasterBox;
 using synthesis::RasterNumbers;
 using synthesis::RasterPoint;
@@ -176,8 +175,8 @@ class ChainRaster final : public synthesis::RasterTask {
     const auto count = static_cast<std::ptrdiff_t>(scaled_.given.size());
     design.parameters.assign(point.x.begin(), point.x.begin() + count);
     for (std::size_t i = 0; i < scaled_.lines.size(); ++i) {
-      const bool is_dyad = scaled_.lines[i].line.type == LineType::dyad;
-      design.side.push_back(!is_dyad ? 0 : (point.form & (1 << i)) != 0 ? 1 : -1);
+      const bool has_side = is_dyad(scaled_.lines[i].line.type);
+      design.side.push_back(!has_side ? 0 : (point.form & (1 << i)) != 0 ? 1 : -1);
     }
     return design;
   }

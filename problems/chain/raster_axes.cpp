@@ -24,6 +24,8 @@ std::string name_of(const Topology& topology, const TopologyLine& line, std::siz
     case LineType::crank:
       return "crank";
     case LineType::dyad:
+    case LineType::guide:
+    case LineType::slider:
       break;
   }
   return link_names(point(line.line.first), point(line.line.second), line.name)[index];
@@ -39,14 +41,15 @@ ChainAxes chain_axes(const Raster& raster, const ChainSpace& scaled, const Targe
     const auto count = static_cast<std::size_t>(synthesis::parameter_count(line.line.type));
     for (std::size_t i = 0; i < count; ++i, ++parameter) {
       const bool is_crank = line.line.type == LineType::crank;
+      if (line.line.type == LineType::guide) continue;
       const RasterRule* rule = raster.rule(is_crank ? "crank" : "", group_of(line.line.type));
       if (rule == nullptr || scaled.given[parameter]) continue;
       const bool is_place = line.line.type == LineType::pivot;
       const double origin = !is_place ? 0 : i == 0 ? scale.centre.x : scale.centre.y;
       Range range{origin + scale.size * scaled.lower[parameter],
                   origin + scale.size * scaled.upper[parameter]};
-      const bool is_length = is_crank || line.line.type == LineType::dyad;
-      if (is_length && rule->step) range.min = std::max(range.min, 0.5 * *rule->step);
+      if (has_lengths(line.line.type) && rule->step)
+        range.min = std::max(range.min, 0.5 * *rule->step);
       all.axes.push_back({name_of(topology, line, i), values_within(*rule, range, range)});
       all.places.push_back({parameter, origin, scale.size});
     }

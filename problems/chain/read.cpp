@@ -77,7 +77,7 @@ bool KindTraits<ChainPathProblem>::takes(reading::TableReader& document) {
   reading::TableReader mechanism = document.table("mechanism");
   if (!mechanism.has_text(reading::kType)) return false;
   const std::string type = *mechanism.text(reading::kType);
-  return type == kChainWord || !from_string<MechanismType>(type);
+  return type == kChainWord || type == kSliderCrankWord || !from_string<MechanismType>(type);
 }
 
 ChainPathProblem KindTraits<ChainPathProblem>::read(reading::TableReader& document,

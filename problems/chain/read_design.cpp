@@ -14,9 +14,10 @@ namespace cognate::problems::reading {
 namespace {
 
 constexpr double kQuarterTurn = 90;
+constexpr std::string_view kOutput = "output";
 
 bool is_all_given(const TopologyLine& line) {
-  const bool either = line.line.type == synthesis::LineType::dyad && !line.assembly;
+  const bool either = is_dyad(line.line.type) && !line.assembly;
   const int count = parameter_count(line.line.type);
   const bool all = line.given[0] && (count < 2 || line.given[1]);
   return all && !either;
@@ -64,8 +65,24 @@ Wanted read_traced(TableReader& target, const std::string& type, std::string_vie
   return wanted;
 }
 
+std::array<std::string, 2> read_output(TableReader& target, const std::string& type,
+                                       const std::vector<Topology>& known) {
+  const bool slides = !known.empty() && ends_in_slider(known.front());
+  if (!slides && !target.has_text(kOutput)) return read_output_link(target, type);
+  const std::string usual = slides ? known.front().lines.back().name : "";
+  const std::string pin = target.has(kOutput) ? read_name(target, kOutput).value_or(usual) : usual;
+  if (!known.empty() && pin != usual) {
+    target.fault(
+        kOutput,
+        fmt::format("is {}, but the output of type = {} is {}; remove it, or take "
+                    "type = \"chain\"",
+                    in_quotes(pin), in_quotes(type),
+                    slides ? "the slider " + in_quotes(usual) : "the link [\"G\", \"F\"]"));
+  }
+  return {guide_name(pin), pin};
+}
+
 std::array<std::string, 2> read_output_link(TableReader& target, const std::string& type) {
-  constexpr std::string_view kOutput = "output";
   const std::array<std::string, 2> usual{"G", "F"};
   const auto names = target.texts(kOutput, {2, 2, "names of points"});
   if (!names) return usual;

@@ -28,6 +28,11 @@ Wanted read_traced(TableReader& target, const std::string& type, std::string_vie
 /// chain that the file defines may choose.
 std::array<std::string, 2> read_output_link(TableReader& target, const std::string& type);
 
+/// The same, or the name of a slider whose displacement is the output: then the names of its guide
+/// and of its pin. `known`: the topologies of the type; empty for a chain that the file defines.
+std::array<std::string, 2> read_output(TableReader& target, const std::string& type,
+                                       const std::vector<Topology>& known);
+
 /// `transmission_angle_deg` in radians, where it is given and can be kept to.
 std::optional<Range> read_chain_transmission(TableReader& constraints);
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "problems/basics/degrees.hpp"
+#include "problems/mechanism/directions.hpp"
 #include "problems/mechanism/part_names.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
 #include "problems/toml/nearest.hpp"
@@ -16,6 +18,7 @@ using synthesis::LineType;
 
 constexpr std::size_t kMostParts = 40;
 const std::string kAnyName;
+constexpr std::string_view kSlide = "slide";
 
 bool is_free(TableReader& table, std::string_view key) {
   return table.has_text(key) && *table.text(key) == kFreeDimension;
@@ -32,6 +35,10 @@ void read_two(TableReader& table, std::string_view key, const NumberRule& rule,
   }
 }
 
+void read_assembly(TableReader& table, TopologyLine& line) {
+  if (!is_free(table, "assembly")) line.assembly = table.choice<Assembly>("assembly");
+}
+
 void read_dimensions(TableReader& table, TopologyLine& line) {
   switch (line.line.type) {
     case LineType::pivot:
@@ -42,18 +49,41 @@ void read_dimensions(TableReader& table, TopologyLine& line) {
       return;
     case LineType::dyad:
       read_two(table, "lengths", kLinkLength, line);
-      if (!is_free(table, "assembly")) line.assembly = table.choice<Assembly>("assembly");
+      return read_assembly(table, line);
+    case LineType::slider:
+      if (!is_free(table, "length")) line.given[0] = table.number("length", kLinkLength);
+      return read_assembly(table, line);
+    case LineType::guide:
       return;
   }
 }
 
+/// The direction and the offset of a slider's guide. Its offset counts from the pivot `through`,
+/// where the file names one, on which the guide then lies unless it says more.
+TopologyLine read_guide(TableReader& dyad) {
+  TopologyLine guide{.line = {LineType::guide}};
+  if (!dyad.has(kSlide)) return guide;
+  TableReader slide = dyad.table(kSlide);
+  if (slide.has("direction_deg") && !is_free(slide, "direction_deg")) {
+    guide.given[0] = radians(read_degrees(slide, "direction_deg", 0));
+  }
+  const bool through_pivot = slide.has("through");
+  if (!slide.has("offset")) {
+    if (through_pivot) guide.given[1] = 0;
+  } else if (!is_free(slide, "offset")) {
+    guide.given[1] = slide.number("offset", kQuantity);
+  }
+  slide.finish();
+  return guide;
+}
+
 std::string_view part_key(LineType type) {
-  constexpr std::string_view kKeys[] = {"pivot", "crank", "dyad", "point"};
+  constexpr std::string_view kKeys[] = {"pivot", "crank", "dyad", "point", "dyad", "dyad"};
   return kKeys[static_cast<std::size_t>(type)];
 }
 
 std::string_view name_key(LineType type) {
-  return type == LineType::dyad ? "new" : "name";
+  return is_dyad(type) ? "new" : "name";
 }
 
 std::vector<std::string_view> names_of(const std::vector<Topology>& topologies, LineType type) {
@@ -67,20 +97,40 @@ std::vector<std::string_view> names_of(const std::vector<Topology>& topologies, 
   return all;
 }
 
+/// The names that tables of a part may have: dyads and sliders have one kind of table.
+std::vector<std::string_view> part_names_of(const std::vector<Topology>& topologies,
+                                            LineType type) {
+  auto all = names_of(topologies, type);
+  if (type == LineType::dyad) {
+    std::ranges::copy(names_of(topologies, LineType::slider), std::back_inserter(all));
+  }
+  return all;
+}
+
+/// The type of the lines that `table`, one of those of `part`, is about.
+LineType type_of(LineType part, const std::string& name, const std::vector<Topology>& topologies) {
+  if (part != LineType::dyad) return part;
+  const auto sliders = names_of(topologies, LineType::slider);
+  return std::ranges::find(sliders, name) == sliders.end() ? part : LineType::slider;
+}
+
 /// What of a known topology only a chain says.
 void refuse_structure(TableReader& table, LineType type) {
   constexpr std::array<std::array<std::string_view, 3>, 4> kKeys{
       {{}, {"at", "pin", "name"}, {"type", "joins", "names"}, {"on"}}};
+  constexpr std::string_view kWhy =
+      "is given of a topology that has its own; remove it, or take mechanism.type = \"chain\"";
   for (const std::string_view key : kKeys.at(static_cast<std::size_t>(type))) {
-    if (key.empty() || !table.has(key)) continue;
-    table.fault(key,
-                "is given of a topology that has its own; remove it, or take "
-                "mechanism.type = \"chain\"");
+    if (!key.empty() && table.has(key)) table.fault(key, kWhy);
   }
+  if (type != LineType::dyad || !table.has_table(kSlide)) return;
+  TableReader slide = table.table(kSlide);
+  if (slide.has("through")) slide.fault("through", kWhy);
 }
 
 std::string_view dimension_key(LineType type) {
-  return type == LineType::crank ? "length" : type == LineType::dyad ? "lengths" : "at";
+  if (type == LineType::dyad) return "lengths";
+  return has_lengths(type) ? "length" : type == LineType::guide ? kSlide : "at";
 }
 
 void check_in_bounds(TableReader& table, const TopologyLine& line) {
@@ -94,20 +144,27 @@ void check_in_bounds(TableReader& table, const TopologyLine& line) {
   }
 }
 
-/// Reads `table` into the lines of `type` called `name` (empty: any).
-void read_into(TableReader& table, LineType type, const std::string& name,
-               std::vector<Topology>& topologies) {
-  TopologyLine read{.line = {type}};
-  read_dimensions(table, read);
+/// Gives the lines of the type of `read` called `name` (empty: any) what it has.
+void give(TableReader& table, const TopologyLine& read, const std::string& name,
+          std::vector<Topology>& topologies) {
   bool checked = false;
   for (Topology& topology : topologies) {
     for (TopologyLine& line : topology.lines) {
-      if (line.line.type != type || (!name.empty() && line.name != name)) continue;
+      if (line.line.type != read.line.type || (!name.empty() && line.name != name)) continue;
       line.given = read.given;
       line.assembly = read.assembly;
       if (!std::exchange(checked, true)) check_in_bounds(table, line);
     }
   }
+}
+
+/// Reads `table` into the lines of `type` called `name` (empty: any).
+void read_into(TableReader& table, LineType type, const std::string& name,
+               std::vector<Topology>& topologies) {
+  TopologyLine read{.line = {type}};
+  read_dimensions(table, read);
+  give(table, read, name, topologies);
+  if (type == LineType::slider) give(table, read_guide(table), guide_name(name), topologies);
   table.finish();
 }
 
@@ -117,7 +174,7 @@ std::string read_known_name(TableReader& table, LineType type, std::vector<std::
   const std::string_view key = name_key(type);
   const auto name = require_name(table, key, "the point");
   if (!name) return "-";
-  const auto known = names_of(topologies, type);
+  const auto known = part_names_of(topologies, type);
   if (std::ranges::find(known, *name) == known.end()) {
     table.fault(key, fmt::format("is {}, which is no {} of this mechanism.type; expected {}",
                                  in_quotes(*name), part_key(type),
@@ -140,10 +197,6 @@ void narrow(TopologyLine& line, const std::array<Range, 2>& to) {
 
 std::array<Range, 2> sides(const Box& box) {
   return {Range{box.min.x, box.max.x}, Range{box.min.y, box.max.y}};
-}
-
-bool is_length(LineType type) {
-  return type == LineType::crank || type == LineType::dyad;
 }
 
 /// Of a dyad: a range for each of its lengths.
@@ -172,7 +225,11 @@ std::optional<std::array<Range, 2>> read_length_bound(TableReader& bounds, std::
 
 std::optional<std::array<Range, 2>> read_bound(TableReader& bounds, const std::string& key,
                                                LineType type) {
-  if (!is_length(type)) {
+  if (type == LineType::guide) {
+    const auto offset = bounds.range(key, kQuantity);
+    return offset ? std::optional(std::array{TopologyLine{}.bounds[0], *offset}) : std::nullopt;
+  }
+  if (!has_lengths(type)) {
     const auto box = bounds.box(key);
     return box ? std::optional(sides(*box)) : std::nullopt;
   }
@@ -229,7 +286,8 @@ void read_given(PartTables& parts, std::vector<Topology>& topologies) {
     for (TableReader& table : *tables) {
       const bool is_named = table.has_text(name_key(type));
       const auto name = is_named ? *table.text(name_key(type)) : std::string("-");
-      read_into(table, type, type == LineType::crank ? kAnyName : name, topologies);
+      read_into(table, type_of(type, name, topologies), type == LineType::crank ? kAnyName : name,
+                topologies);
     }
   }
 }
@@ -241,7 +299,7 @@ void read_given_by_name(PartTables& parts, std::vector<Topology>& topologies) {
       refuse_structure(table, type);
       const bool is_crank = type == LineType::crank;
       const auto name = is_crank ? kAnyName : read_known_name(table, type, seen, topologies);
-      read_into(table, type, name, topologies);
+      read_into(table, type_of(type, name, topologies), name, topologies);
     }
   }
 }
@@ -255,12 +313,12 @@ void read_chain_bounds(TableReader& bounds, std::vector<Topology>& topologies) {
     return [type](const TopologyLine& line) { return line.line.type == type; };
   };
   narrow_all(
-      topologies, [](const TopologyLine& line) { return is_length(line.line.type); },
+      topologies, [](const TopologyLine& line) { return has_lengths(line.line.type); },
       read_length_bound(bounds, "length"));
   narrow_all(topologies, of(LineType::pivot), box("pivots"));
   narrow_all(topologies, of(LineType::attached), box("point"));
-  for (const LineType type :
-       {LineType::pivot, LineType::crank, LineType::dyad, LineType::attached}) {
+  for (const LineType type : {LineType::pivot, LineType::crank, LineType::dyad, LineType::attached,
+                              LineType::guide, LineType::slider}) {
     for (const std::string_view known : names_of(topologies, type)) {
       const std::string name(known);
       if (!bounds.has(name)) continue;

@@ -22,7 +22,8 @@ struct Part {
   TableReader* table;
   LineType type;
   std::string name;
-  std::vector<Mention> closes_on;
+  std::vector<Mention> closes_on;    ///< of a slider one point
+  std::optional<Mention> through{};  ///< of a slider: the pivot from which its guide counts
 };
 
 class StructureReader {
@@ -61,6 +62,8 @@ class StructureReader {
     }
     std::size_t points = 0;
     for (const auto& [type, tables] : parts_.all()) points += tables->size();
+    // The guide of a slider counts as a point.
+    points += static_cast<std::size_t>(std::ranges::count_if(parts_.dyads, is_slider));
     if (points <= kMostLines) return;
     mechanism_.faults().add(
         mechanism_.where(),
@@ -111,29 +114,54 @@ class StructureReader {
   }
 
   void announce_part(TableReader& table, LineType type, std::string_view joins) {
-    const bool is_dyad = type == LineType::dyad;
-    if (is_dyad) {
+    const bool closes = type == LineType::dyad;
+    if (closes) {
       check_type(table);
       refuse_name(table, "names");
     }
-    const auto name = is_dyad ? new_name(table, "new", "the dyad's inner joint")
-                              : new_name(table, "name", "the point");
+    const auto name = closes ? new_name(table, "new", "the dyad's inner joint")
+                             : new_name(table, "name", "the point");
     if (!table.has(joins)) {
-      table.fault(joins, is_dyad ? "is missing; expected the names of the two points that it joins"
-                                 : "is missing; expected the names of two points of its link");
+      table.fault(joins, closes ? "is missing; expected the names of the two points that it joins"
+                                : "is missing; expected the names of two points of its link");
       return;
     }
+    if (closes && is_slider(table)) return announce_slider(table, name, joins);
     const auto mentions = read_mentions(table, joins, {2, 2, "names of points"});
     if (mentions) waiting_.push_back({&table, type, name, *mentions});
   }
 
-  void check_type(TableReader& table) {
-    const auto type = table.choice<DyadType>("type");
-    if (!type || *type == DyadType::rrr) {
-      return table.know({"slide", "slides", "offset", "slot_deg", "length"});
+  static bool is_slider(TableReader& table) {
+    constexpr std::string_view kType = "type";
+    return table.has_text(kType) && *table.text(kType) == to_string(DyadType::rrp);
+  }
+
+  void announce_slider(TableReader& table, const std::string& name, std::string_view joins) {
+    const auto mentions = read_mentions(table, joins, {1, 1, "names of points"});
+    if (!mentions) return;
+    if (std::ranges::find(names_, guide_name(name)) != names_.end()) {
+      table.fault("new",
+                  fmt::format("is {}, but the name {} of its guide is that of another point; "
+                              "rename one",
+                              in_quotes(name), in_quotes(guide_name(name))));
     }
-    table.fault("type",
-                fmt::format("is \"{}\"; a chain is designed of RRR dyads", to_string(*type)));
+    names_.push_back(guide_name(name));
+    Part part{&table, LineType::slider, name, *mentions};
+    if (table.has_table("slide")) {
+      TableReader slide = table.table("slide");
+      part.through = read_mention(slide, "through");
+    }
+    waiting_.push_back(std::move(part));
+  }
+
+  static void check_type(TableReader& table) {
+    const auto type = table.choice<DyadType>("type");
+    if (is_slider(table)) return table.know({"length", "slide"});
+    if (!table.has("type") || type == DyadType::rrr) return;
+    if (type) {
+      table.fault("type", fmt::format("is \"{}\"; a chain is designed of RRR and RRP dyads",
+                                      to_string(*type)));
+    }
     table.know({"slide", "slides", "offset", "slot_deg", "length"});
   }
 
@@ -167,7 +195,43 @@ class StructureReader {
     mechanism_.faults().add(mention.where, mention.called + " " + text);
   }
 
+  void place_slider(const Part& part) {
+    const Mention& from = part.closes_on[0];
+    const int first = find(from.name);
+    if (first < 0) return fault(from, unknown_point(from));
+    if (topology_.lines[static_cast<std::size_t>(first)].line.type == LineType::pivot) {
+      return fault(from,
+                   fmt::format("has {}, a point of the frame; expected a point of a link that "
+                               "drives the slider",
+                               in_quotes(from.name)));
+    }
+    add(guide_name(part.name), {LineType::guide, pivot_of(part)});
+    add(part.name, {LineType::slider, first, static_cast<int>(topology_.lines.size()) - 1});
+  }
+
+  /// The pivot from which the offset of a slider's guide counts: that of the crank where the file
+  /// names none.
+  int pivot_of(const Part& part) {
+    const auto is_of = [](LineType type) {
+      return [type](const TopologyLine& line) { return line.line.type == type; };
+    };
+    if (!part.through) {
+      return std::ranges::find_if(topology_.lines, is_of(LineType::crank))->line.first;
+    }
+    const int pivot = find(part.through->name);
+    const bool is_pivot =
+        pivot >= 0 && is_of(LineType::pivot)(topology_.lines[static_cast<std::size_t>(pivot)]);
+    if (!is_pivot) {
+      fault(*part.through,
+            fmt::format("is {}, which is no pivot; expected the name of a [[pivot]], "
+                        "from which the guide's offset counts",
+                        in_quotes(part.through->name)));
+    }
+    return std::max(pivot, 0);
+  }
+
   void place(const Part& part) {
+    if (part.type == LineType::slider) return place_slider(part);
     const auto& [from, to] = std::pair(part.closes_on[0], part.closes_on[1]);
     for (const Mention& mention : {from, to}) {
       if (find(mention.name) < 0) return fault(mention, unknown_point(mention));
@@ -197,12 +261,10 @@ class StructureReader {
   }
 
   std::string unknown_point(const Mention& mention) const {
-    std::vector<std::string_view> known;
-    for (const TopologyLine& line : topology_.lines) known.push_back(line.name);
     const bool comes_later = std::ranges::find(names_, mention.name) != names_.end();
     return fmt::format("has {}, which {}; expected one of {}", in_quotes(mention.name),
                        comes_later ? "only a later part places" : "is no point of the chain",
-                       quoted_list(known));
+                       quoted_names());
   }
 
   void choose_wanted(TableReader& target, const Wanted& wanted) {
@@ -218,8 +280,17 @@ class StructureReader {
     }
     topology_.trace = wanted_.back();
     TableReader& place = target.has(wanted.key) ? target : mechanism_;
+    if (wanted.slides) return check_slider(place, wanted.key, names[0]);
     names.size() == 1 ? check_path(place, wanted.key, names[0])
                       : check_link(place, wanted.key, names[0], names[1]);
+  }
+
+  void check_slider(TableReader& place, std::string_view key, const std::string& name) const {
+    const auto& line = topology_.lines[static_cast<std::size_t>(topology_.trace)].line;
+    if (line.type == LineType::slider) return;
+    place.fault(key, fmt::format("is {}, which is no slider; expected the `new` of a [[dyad]] with "
+                                 "type = \"RRP\", or two points of a link",
+                                 in_quotes(name)));
   }
 
   void check_path(TableReader& place, std::string_view key, const std::string& name) const {
@@ -244,7 +315,9 @@ class StructureReader {
 
   std::string quoted_names() const {
     std::vector<std::string_view> known;
-    for (const TopologyLine& line : topology_.lines) known.push_back(line.name);
+    for (const TopologyLine& line : topology_.lines) {
+      if (line.line.type != LineType::guide) known.push_back(line.name);
+    }
     return quoted_list(known);
   }
 
@@ -262,11 +335,12 @@ class StructureReader {
       return in_quotes(topology_.lines[static_cast<std::size_t>(line)].name);
     };
     const std::string what =
-        wanted_.size() == 1
+        wanted.slides ? "displacement of " + name_of(wanted_[0])
+        : wanted_.size() == 1
             ? "path of " + name_of(wanted_[0])
             : fmt::format("angle from {} to {}", name_of(wanted_[0]), name_of(wanted_[1]));
     for (std::size_t i = 0; i < counts.size(); ++i) {
-      if (counts[i]) continue;
+      if (counts[i] || topology_.lines[i].line.type == LineType::guide) continue;
       const std::string& name = topology_.lines[i].name;
       TableReader& table = table_of(name);
       table.faults().add(table.where(),
@@ -302,8 +376,11 @@ void check_link_names(const Topology& topology, TableReader& mechanism) {
   for (const TopologyLine& line : topology.lines) taken.push_back(line.name);
   const auto name = [&](int line) { return topology.lines[static_cast<std::size_t>(line)].name; };
   for (const TopologyLine& line : topology.lines) {
-    if (line.line.type != LineType::dyad) continue;
-    for (const auto& link : link_names(name(line.line.first), name(line.line.second), line.name)) {
+    const auto& [type, first, second] = line.line;
+    if (!is_dyad(type)) continue;
+    for (const auto& link : type == LineType::slider
+                                ? slider_link_names(name(first), line.name)
+                                : link_names(name(first), name(second), line.name)) {
       if (std::ranges::find(taken, link) != taken.end()) {
         mechanism.faults().add(
             mechanism.where(),

@@ -59,7 +59,8 @@ std::vector<Design> designs_of(const ChainPathProblem& problem, const TargetScal
   // By themselves: a design that misses a limit by little does not stand for its neighbour that
   // meets it.
   std::vector<ChainMinimum> taken_feasible, taken_others;
-  for (const ChainMinimum& one : found) {
+  for (ChainMinimum one : found) {
+    one.design = with_guides_forward(*one.problem, std::move(one.design));
     const Topology& topology = *one.problem->topology;
     auto mechanism = named(topology, scale.out_of(one.problem->chain, one.design));
     Design design = verified(problem, topology, std::move(mechanism), angles_of_targets(one));

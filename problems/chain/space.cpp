@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/numbers/constants.hpp"
 #include "synthesis/chain/bodies.hpp"
 
 namespace cognate::problems {
 namespace {
 
-using synthesis::LineType;
+using synthesis::ParameterRole;
 
 /// Lengths and coordinates without a bound end at so many times the target's size, links at so
 /// small a part of it: beyond, a search runs after designs that nobody builds.
@@ -16,18 +17,34 @@ constexpr double kMostSizes = 12, kLeastSize = 0.02;
 /// Of |cos μ| where no limit is given: a dead point is excluded, its neighbourhood is not.
 constexpr double kNearDead = 1 - 1e-4;
 
-bool is_length(LineType type) {
-  return type == LineType::crank || type == LineType::dyad;
-}
-
 struct ParameterScale {
   double origin, size;
   double into(double value) const { return (value - origin) / size; }
 };
 
-ParameterScale scale_of(const TargetScale& scale, LineType type, int index) {
-  const bool is_place = type == LineType::pivot;
-  return {is_place ? (index == 0 ? scale.centre.x : scale.centre.y) : 0, scale.size};
+ParameterScale scale_of(const TargetScale& scale, ParameterRole role) {
+  switch (role) {
+    case ParameterRole::x:
+      return {scale.centre.x, scale.size};
+    case ParameterRole::y:
+      return {scale.centre.y, scale.size};
+    case ParameterRole::direction:
+      return {0, 1};
+    default:
+      return {0, scale.size};
+  }
+}
+
+/// What a parameter without bounds may be. Directions may turn further than they can differ.
+Range open_range(ParameterRole role, double least_length, double most) {
+  switch (role) {
+    case ParameterRole::length:
+      return {least_length, most};
+    case ParameterRole::direction:
+      return {-kTurn, kTurn};
+    default:
+      return {-most, most};
+  }
 }
 
 }  // namespace
@@ -43,7 +60,7 @@ synthesis::ChainDesign TargetScale::out_of(const synthesis::Chain& chain,
                                            synthesis::ChainDesign design) const {
   for (const auto& [line, parameter] : placed_lines(chain)) {
     for (int i = 0; i < synthesis::parameter_count(line.type); ++i) {
-      const ParameterScale own = scale_of(*this, line.type, i);
+      const ParameterScale own = scale_of(*this, parameter_role(line.type, i));
       const int place = parameter + i;
       double& value = design.parameters[static_cast<std::size_t>(place)];
       value = own.origin + own.size * value;
@@ -60,14 +77,15 @@ ChainSpace::ChainSpace(const Topology& of, const TargetScale& scale, const Range
       cosine_limit(std::min({kNearDead, std::cos(transmission.min), -std::cos(transmission.max)})) {
   for (const TopologyLine& line : of.lines) {
     for (int i = 0; i < synthesis::parameter_count(line.line.type); ++i) {
-      const ParameterScale own = scale_of(scale, line.line.type, i);
+      const ParameterRole role = parameter_role(line.line.type, i);
+      const ParameterScale own = scale_of(scale, role);
       const auto& value = line.given[static_cast<std::size_t>(i)];
       const Range bound = line.bounds[static_cast<std::size_t>(i)];
       if (!value) free.push_back(static_cast<int>(given.size()));
       given.push_back(value ? std::optional(own.into(*value)) : std::nullopt);
-      const double least = is_length(line.line.type) ? kLeastSize : -kMostSizes;
-      lower.push_back(std::isfinite(bound.min) ? own.into(bound.min) : least);
-      upper.push_back(std::isfinite(bound.max) ? own.into(bound.max) : kMostSizes);
+      const Range open = open_range(role, kLeastSize, kMostSizes);
+      lower.push_back(std::isfinite(bound.min) ? own.into(bound.min) : open.min);
+      upper.push_back(std::isfinite(bound.max) ? own.into(bound.max) : open.max);
     }
   }
 }
@@ -75,8 +93,9 @@ ChainSpace::ChainSpace(const Topology& of, const TargetScale& scale, const Range
 void ChainSpace::limit_open(double least, double most) {
   std::size_t at = 0;
   for (const TopologyLine& line : topology->lines) {
-    const bool has_length = is_length(line.line.type);
+    const bool has_length = has_lengths(line.line.type);
     for (int i = 0; i < synthesis::parameter_count(line.line.type); ++i, ++at) {
+      if (parameter_role(line.line.type, i) == ParameterRole::direction) continue;
       const Range& bound = line.bounds[static_cast<std::size_t>(i)];
       if (!std::isfinite(bound.min)) lower[at] = has_length ? least : -most;
       if (!std::isfinite(bound.max)) upper[at] = lower[at] < most ? most : lower[at] + most;
@@ -90,6 +109,32 @@ synthesis::ChainDesign within_bounds(const ChainSpace& space, synthesis::ChainDe
   for (const int parameter : space.free) {
     const auto i = static_cast<std::size_t>(parameter);
     design.parameters[i] = std::clamp(design.parameters[i], space.lower[i], space.upper[i]);
+  }
+  return design;
+}
+
+synthesis::ChainDesign with_guides_forward(const ChainSpace& space, synthesis::ChainDesign design) {
+  const auto is_on = [&](std::size_t slider, int guide) {
+    const auto& line = space.lines[slider].line;
+    return line.type == synthesis::LineType::slider && line.second == guide;
+  };
+  for (int k = 0; k < static_cast<int>(space.lines.size()); ++k) {
+    const auto& [line, parameter] = space.lines[static_cast<std::size_t>(k)];
+    if (line.type != synthesis::LineType::guide) continue;
+    const auto at = static_cast<std::size_t>(parameter);
+    double &direction = design.parameters[at], &offset = design.parameters[at + 1];
+    direction = std::remainder(direction, kTurn);
+    bool is_open = !space.given[at] && (!space.given[at + 1] || offset == 0) &&
+                   -offset >= space.lower[at + 1] && -offset <= space.upper[at + 1];
+    for (std::size_t i = 0; i < space.lines.size(); ++i) {
+      if (is_on(i, k) && space.topology->lines[i].assembly) is_open = false;
+    }
+    if (!is_open || std::abs(direction) <= kPi / 2) continue;
+    direction -= std::copysign(kPi, direction);
+    offset = -offset;
+    for (std::size_t i = 0; i < space.lines.size(); ++i) {
+      if (is_on(i, k)) design.side[i] = -design.side[i];
+    }
   }
   return design;
 }

@@ -53,6 +53,10 @@ struct ChainSpace {
 /// The design whose free parameters are the nearest within their bounds.
 synthesis::ChainDesign within_bounds(const ChainSpace& space, synthesis::ChainDesign design);
 
+/// The same mechanism with guides whose direction is found from −90° up to 90°, where what the file
+/// gives of their sliders leaves that open.
+synthesis::ChainDesign with_guides_forward(const ChainSpace& space, synthesis::ChainDesign design);
+
 /// Whether two designs have the same assembly and dimensions, relative to these or 1.
 bool is_same_chain(const synthesis::ChainDesign& known, const synthesis::ChainDesign& other,
                    double tolerance);

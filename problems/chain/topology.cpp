@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "analysis/numbers/angle.hpp"
 #include "problems/chain/places.hpp"
 
 namespace cognate::problems {
@@ -63,12 +64,25 @@ constexpr PointRow kJansen[] = {
     {"E", LineType::attached, "B", "C"}, {"D", LineType::dyad, "M", "B"},
     {"F", LineType::dyad, "E", "D"},     {"P", LineType::attached, "F", "D"}};
 
+constexpr PointRow kSliderCrank[] = {{"A", LineType::pivot, "", ""},
+                                     {"B", LineType::crank, "A", ""},
+                                     {"C-slide", LineType::guide, "A", ""},
+                                     {"C", LineType::slider, "B", "C-slide"}};
+
+constexpr PointRow kCouplerSlider[] = {{"E", LineType::attached, "B", "C"},
+                                       {"F-slide", LineType::guide, "A", ""},
+                                       {"F", LineType::slider, "E", "F-slide"}};
+constexpr PointRow kRockerSlider[] = {{"E", LineType::attached, "D", "C"},
+                                      {"F-slide", LineType::guide, "A", ""},
+                                      {"F", LineType::slider, "E", "F-slide"}};
+
 struct TopologyRow {
   std::string_view name;
   std::array<Rows, 4> parts;  ///< one after the other; the last point is the traced one
 };
 
 constexpr TopologyRow kTopologies[] = {
+    {kSliderCrankWord, {kSliderCrank, kOnBC}},
     {"four-bar", {kFourBar, kOnBC}},
     {"stephenson-3", {kFourBar, kStephenson, kOnEF}},
     {"watt-1", {kFourBar, kWatt, kOnEF}},
@@ -80,11 +94,15 @@ constexpr TopologyRow kTopologies[] = {
     {"eight-bar-5", {kFourBar, kStephenson, kToCoupler, kOnKJ}}};
 
 constexpr TopologyRow kFunctionTopologies[] = {{"stephenson-3", {kFourBar, kStephenson}},
-                                               {"watt-2", {kFourBar, kSecondFourBar}}};
+                                               {"watt-2", {kFourBar, kSecondFourBar}},
+                                               {kSliderCrankWord, {kSliderCrank}},
+                                               {"stephenson-3-slider", {kFourBar, kCouplerSlider}},
+                                               {"watt-2-slider", {kFourBar, kRockerSlider}}};
 
 constexpr TopologyRow kLegTopologies[] = {{"klann", {kKlann}}, {"jansen", {kJansen}}};
 
 constexpr TopologyWord kWords[] = {
+    {kSliderCrankWord, "slider-crank, the point on its connecting rod"},
     {"stephenson-3", "Stephenson III six-bar"},
     {"watt-1", "Watt I six-bar, the point on the link that the coupler carries"},
     {"watt-1-hf", "Watt I six-bar, the point on the link that the rocker carries"},
@@ -100,15 +118,21 @@ constexpr TopologyWord kWords[] = {
 constexpr TopologyWord kFunctionWords[] = {
     {"stephenson-3", "Stephenson III six-bar, the output hung on its coupler"},
     {"watt-2", "Watt II six-bar, a second four-bar driven by the rocker of the first"},
-    {"six-bar", "whichever of these two comes nearest"}};
+    {"six-bar", "whichever of these two comes nearest"},
+    {kSliderCrankWord, "slider-crank, its slider C the output"},
+    {"stephenson-3-slider", "four-bar whose coupler drives the slider F, the output"},
+    {"watt-2-slider", "four-bar whose rocker drives the slider F, the output"},
+    {"six-bar-slider", "whichever of these two comes nearest"}};
 
 constexpr TopologyWord kLegWords[] = {
     {"klann", "Klann's leg, a Stephenson III six-bar"},
     {"jansen", "Jansen's leg, an eight-bar with two dyads on the crank's pin"}};
 
 bool stands_for(std::string_view word, std::string_view topology) {
-  if (word == "any") return true;
-  if (word == "six-bar") return topology.starts_with("watt") || topology.starts_with("stephenson");
+  if (word == "any") return topology != kSliderCrankWord;
+  const bool is_six_bar = topology.starts_with("watt") || topology.starts_with("stephenson");
+  if (word == "six-bar") return is_six_bar && !topology.ends_with("-slider");
+  if (word == "six-bar-slider") return topology.ends_with("-slider");
   if (word == "eight-bar") return topology.starts_with("eight-bar");
   return word == topology;
 }
@@ -171,7 +195,7 @@ class Naming {
 
   void add(int index, const double* parameters, int side) {
     const ChainLine& line = topology_.lines[static_cast<std::size_t>(index)].line;
-    mechanism_.points.push_back({name(index), place(index)});
+    if (line.type != LineType::guide) mechanism_.points.push_back({name(index), place(index)});
     switch (line.type) {
       case LineType::pivot:
         return chain_.pivots.push_back({name(index), {parameters[0], parameters[1]}});
@@ -182,6 +206,10 @@ class Naming {
       case LineType::attached:
         return mechanism_.extra_points.push_back(
             {name(index), {name(line.first), name(line.second)}, {parameters[0], parameters[1]}});
+      case LineType::guide:
+        return guides_.push_back({index, {parameters[0], parameters[1]}});
+      case LineType::slider:
+        return add_slider(index, line, parameters[0], side);
     }
   }
 
@@ -206,8 +234,33 @@ class Naming {
     chain_.dyads.push_back(std::move(dyad));
   }
 
+  void add_slider(int index, const ChainLine& line, double length, int side) {
+    const auto& guide = *std::ranges::find(guides_, line.second, &DrawnGuide::line);
+    const int through = topology_.lines[static_cast<std::size_t>(guide.line)].line.first;
+    DyadDescription dyad;
+    dyad.type = DyadType::rrp;
+    dyad.joins = {name(line.first)};
+    dyad.lengths = {length};
+    dyad.slides = {{name(through), guide.parameters.x, guide.parameters.y}};
+    dyad.assembly = side < 0 ? Assembly::crossed : Assembly::open;
+    dyad.new_point = name(index);
+    dyad.names = slider_link_names(name(line.first), name(index));
+    auto& dyads = mechanism_.mechanism.dyads;
+    std::ranges::copy(dyad.names, mechanism_.bodies.begin() + 2 * (std::ssize(dyads) + 1));
+    const Guide<double> on{0, place(through).at, unit_vector(guide.parameters.x),
+                           guide.parameters.y};
+    dyads.push_back(Rrp<double>{place(line.first), length, on, dyad.assembly});
+    chain_.dyads.push_back(std::move(dyad));
+  }
+
+  struct DrawnGuide {
+    int line;
+    Vec2d parameters;  ///< direction and offset
+  };
+
   const Topology& topology_;
   ChainPlaces places_;
+  std::vector<DrawnGuide> guides_;
   NamedMechanism mechanism_;
   ChainDescription chain_;
 };
@@ -230,6 +283,10 @@ std::string sketch_of(const Topology& topology, const TopologyLine& point) {
       return fmt::format("{}({}, {})", point.name, name(first), name(second));
     case LineType::attached:
       return fmt::format("{} on {}", point.name, link_name(name(first), name(second)));
+    case LineType::guide:
+      return "";
+    case LineType::slider:
+      return fmt::format("slider {}({})", point.name, name(first));
   }
   return "";
 }
@@ -250,6 +307,10 @@ std::vector<Topology> function_topologies(std::string_view word) {
 
 std::span<const TopologyWord> function_topology_words() {
   return kFunctionWords;
+}
+
+bool ends_in_slider(const Topology& topology) {
+  return topology.lines.back().line.type == LineType::slider;
 }
 
 std::vector<Topology> leg_topologies(std::string_view word) {
@@ -280,6 +341,14 @@ std::array<std::string, 2> link_names(const std::string& first, const std::strin
   return {link_name(first, joint), link_name(joint, second)};
 }
 
+std::string guide_name(const std::string& pin) {
+  return pin + "-slide";
+}
+
+std::array<std::string, 2> slider_link_names(const std::string& first, const std::string& pin) {
+  return {link_name(first, pin), "slider-" + pin};
+}
+
 std::vector<std::vector<std::string>> links_of(std::span<const Topology> topologies) {
   std::vector<std::vector<std::string>> all;
   for (const Topology& topology : topologies) {
@@ -291,6 +360,9 @@ std::vector<std::vector<std::string>> links_of(std::span<const Topology> topolog
       if (type == LineType::dyad) {
         std::ranges::copy(link_names(name(first), name(second), point.name),
                           std::back_inserter(links));
+      }
+      if (type == LineType::slider) {
+        std::ranges::copy(slider_link_names(name(first), point.name), std::back_inserter(links));
       }
     }
   }
@@ -322,6 +394,14 @@ synthesis::ChainDesign dimensions(const Topology& topology, const NamedMechanism
       add({at.x, at.y});
     } else if (type == LineType::crank) {
       add({std::get<Crank<double>>(mechanism.mechanism.drive).length});
+    } else if (type == LineType::guide) {
+      add({0, 0});
+    } else if (type == LineType::slider) {
+      const auto& dyad = std::get<Rrp<double>>(mechanism.mechanism.dyads[dyads++]);
+      const auto place = placed_lines(chain_of(topology))[static_cast<std::size_t>(second)];
+      design.parameters[static_cast<std::size_t>(place.parameter)] = angle_of(dyad.guide.direction);
+      design.parameters[static_cast<std::size_t>(place.parameter) + 1] = dyad.guide.offset;
+      add({dyad.length}, dyad.assembly == Assembly::open ? 1 : -1);
     } else if (type == LineType::dyad) {
       const auto& dyad = std::get<Rrr<double>>(mechanism.mechanism.dyads[dyads++]);
       add({dyad.first_length, dyad.second_length}, dyad.assembly == Assembly::open ? 1 : -1);

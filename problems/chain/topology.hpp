@@ -15,13 +15,13 @@
 
 namespace cognate::problems {
 
-/// A line of a topology. Lengths are in the file's unit.
+/// A line of a topology. Lengths are in the file's unit, directions of guides in radians.
 struct TopologyLine {
-  std::string name;  ///< of the point
+  std::string name;  ///< of the point; of a guide that of its slider, with "-slide" behind it
   synthesis::ChainLine line;
   std::array<std::optional<double>, 2> given{};  ///< of its parameters; empty: found
   std::array<Range, 2> bounds{Range{-kUnbounded, kUnbounded}, Range{-kUnbounded, kUnbounded}};
-  std::optional<Assembly> assembly{};  ///< of a dyad; empty: either
+  std::optional<Assembly> assembly{};  ///< of a dyad or a slider; empty: either
 
   static constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 };
@@ -42,6 +42,9 @@ struct TopologyWord {
 /// `mechanism.type` of a chain that the file describes point by point.
 inline constexpr std::string_view kChainWord = "chain";
 
+/// `mechanism.type` of the chain of a crank and one slider.
+inline constexpr std::string_view kSliderCrankWord = "slider-crank";
+
 /// The topologies that the word `mechanism.type` stands for: one, or several that are tried in
 /// turns ("six-bar"). Empty for a word that is no topology.
 std::vector<Topology> topologies(std::string_view word);
@@ -49,9 +52,13 @@ std::vector<Topology> topologies(std::string_view word);
 /// The words that `topologies` knows.
 std::span<const TopologyWord> topology_words();
 
-/// The same for functions of the crank's angle: the output is the link from G to F.
+/// The same for functions of the crank's angle: the output is the link from G to F, or the slider
+/// whose pin is the last line.
 std::vector<Topology> function_topologies(std::string_view word);
 std::span<const TopologyWord> function_topology_words();
+
+/// Whether the last line of a topology is a slider.
+bool ends_in_slider(const Topology& topology);
 
 /// The same for legs: the path is the foot's. The words of paths are words of legs too.
 std::vector<Topology> leg_topologies(std::string_view word);
@@ -66,6 +73,12 @@ std::string link_name(const std::string& first, const std::string& second);
 /// The names of the links of a dyad, which join `first` and `second` to its `joint`.
 std::array<std::string, 2> link_names(const std::string& first, const std::string& second,
                                       const std::string& joint);
+
+/// The name of the guide of the slider whose pin is `pin`.
+std::string guide_name(const std::string& pin);
+
+/// The names of the link from `first` to the pin of a slider, and of the slider.
+std::array<std::string, 2> slider_link_names(const std::string& first, const std::string& pin);
 
 /// The names of the links of each topology, without the frame.
 std::vector<std::vector<std::string>> links_of(std::span<const Topology> topologies);

@@ -86,7 +86,7 @@ void measure_transmission(const Topology& topology, const NamedMechanism& mechan
   const auto moving = synthesis::joints(chain_of(topology));
   int dyad = 0;
   for (std::size_t k = 0; k < topology.lines.size(); ++k) {
-    if (topology.lines[k].line.type != synthesis::LineType::dyad) continue;
+    if (!is_dyad(topology.lines[k].line.type)) continue;
     const int own = dyad++;
     if (std::ranges::count(moving, static_cast<int>(k)) == 0) continue;
     const auto extremes = transmission_extremes(mechanism.mechanism, motion, own);

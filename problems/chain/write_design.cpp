@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problems/basics/degrees.hpp"
 #include "problems/chain/read_parts.hpp"
 #include "problems/linkage/write_linkage.hpp"
 
@@ -20,13 +21,24 @@ Node dimension_node(const std::optional<double>& given) {
 /// Adds what is given of `line` to its table.
 void write_given(const TopologyLine& line, TableWriter& table) {
   const auto& [first, second] = line.given;
-  if (line.line.type == LineType::crank) {
+  if (parameter_count(line.line.type) == 1) {
     table.set("length", first);
   } else if (first || second) {
     table.add(line.line.type == LineType::dyad ? "lengths" : "at",
               node(Array{dimension_node(first), dimension_node(second)}));
   }
-  if (line.line.type == LineType::dyad) table.set_name("assembly", line.assembly);
+  if (is_dyad(line.line.type)) table.set_name("assembly", line.assembly);
+}
+
+/// `slide` of a slider; `through` is the pivot from which the guide's offset counts, empty where
+/// the topology has its own.
+Node slide_node(const TopologyLine& guide, const std::string& through) {
+  TableWriter slide;
+  const auto& [direction, offset] = guide.given;
+  if (!through.empty()) slide.set("through", through);
+  if (direction) slide.set("direction_deg", degrees(*direction));
+  if (offset || !through.empty()) slide.add("offset", dimension_node(offset));
+  return node(slide.take());
 }
 
 bool has_given(const TopologyLine& line) {
@@ -44,13 +56,26 @@ class PartsWriter {
     if (type == LineType::crank) table.set("at", name(first)).set("pin", line.name);
     if (type == LineType::dyad) table.set("joins", std::array{name(first), name(second)});
     if (type == LineType::attached) table.set("on", std::array{name(first), name(second)});
-    add(line, table);
+    if (type == LineType::slider) {
+      const TopologyLine& guide = topology_.lines[static_cast<std::size_t>(second)];
+      table.set("type", "RRP").set("joins", name(first));
+      table.add("slide", slide_node(guide, name(guide.line.first)));
+    }
+    if (type != LineType::guide) add(line, table);
   }
 
   /// Adds what is given of it alone.
   void add_given(const TopologyLine& line) {
     TableWriter table;
-    if (has_given(line)) add(line, table);
+    if (line.line.type == LineType::guide) return;
+    bool has_guide = false;
+    if (line.line.type == LineType::slider) {
+      const TopologyLine& guide =
+          *std::ranges::find(topology_.lines, guide_name(line.name), &TopologyLine::name);
+      has_guide = has_given(guide);
+      if (has_guide) table.add("slide", slide_node(guide, ""));
+    }
+    if (has_guide || has_given(line)) add(line, table);
   }
 
   void write(TableWriter& mechanism) {
@@ -68,15 +93,15 @@ class PartsWriter {
 
   void add(const TopologyLine& line, TableWriter& table) {
     const LineType type = line.line.type;
-    if (type == LineType::dyad) table.set("new", line.name);
+    if (is_dyad(type)) table.set("new", line.name);
     if (type == LineType::pivot || type == LineType::attached) table.set("name", line.name);
     write_given(line, table);
     if (type == LineType::crank) {
       crank_ = table.take();
     } else {
-      (type == LineType::pivot  ? pivots_
-       : type == LineType::dyad ? dyads_
-                                : points_)
+      (type == LineType::pivot ? pivots_
+       : is_dyad(type)         ? dyads_
+                               : points_)
           .push_back(node(table.take()));
     }
   }
@@ -145,8 +170,10 @@ TableWriter chain_bounds_writer(const std::vector<Topology>& topologies) {
   for (const auto& [name, line, given, bounds, assembly] : merged(topologies).lines) {
     const auto& [first, second] = bounds;
     if (!is_bounded(first) && !is_bounded(second)) continue;
-    if (line.type == LineType::crank) {
+    if (parameter_count(line.type) == 1) {
       table.set(name, length_bound(first));
+    } else if (line.type == LineType::guide) {
+      table.set(name, second);
     } else if (line.type == LineType::dyad) {
       table.set(name, std::array{length_bound(first), length_bound(second)});
     } else {

@@ -10,23 +10,29 @@
 #include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
+namespace {
 
-Vec2d output_reference(const ChainFunctionSpace& space, const ChainFunctionDesign& design,
-                       std::span<const synthesis::AnglePair> pairs) {
+/// By so much in units of the space the start of a slider may move.
+constexpr double kMostDisplaced = 20;
+
+}  // namespace
+
+std::optional<double> output_level(const ChainFunctionSpace& space,
+                                   const ChainFunctionDesign& design,
+                                   std::span<const synthesis::AnglePair> pairs) {
   const std::vector<double> side(design.chain.side.begin(), design.chain.side.end());
   FreeChain chain(space, design.chain.parameters, side);
-  Vec2d reference;
+  std::optional<double> first;
   double least = std::numeric_limits<double>::infinity(), greatest = -least;
   for (const auto& [input, output] : pairs) {
-    const Vec2d* at = chain.at(design.start + input);
-    const Vec2d way = conj(unit_vector(output)) * (at[space.to] - at[space.from]);
-    if (reference == Vec2d{}) reference = (1 / norm(way)) * way;
-    const double angle = relative_angle(way, reference);
-    if (!std::isfinite(angle)) return {};
-    least = std::min(least, angle);
-    greatest = std::max(greatest, angle);
+    chain.at(design.start + input);
+    if (!first) first = space.output(chain) - output;
+    const double error = space.error(chain, space.wanted(output + *first));
+    if (!std::isfinite(error)) return std::nullopt;
+    least = std::min(least, error);
+    greatest = std::max(greatest, error);
   }
-  return unit_vector(0.5 * (least + greatest)) * reference;
+  return *first + 0.5 * (least + greatest);
 }
 
 ChainFunctionModel::ChainFunctionModel(const ChainFunctionSpace& space,
@@ -46,12 +52,13 @@ ChainFunctionModel::ChainFunctionModel(const ChainFunctionSpace& space,
                           std::max(0.1, std::abs(design_.chain.parameters[i]))});
   }
   variables_.push_back({"start", design.start - kTurn, design.start + kTurn, 1});
-  variables_.push_back({"output's start", -kPi, kPi, 1});
-  const Vec2d reference = output_reference(space, design_, pairs);
-  closes_ = reference != Vec2d{};
+  const double most = space.slides() ? kMostDisplaced : kPi;
+  variables_.push_back({"output's start", -most, most, 1});
+  const auto level = output_level(space, design_, pairs);
+  closes_ = level.has_value();
   for (const auto& pair : pairs) {
     turned_.push_back(unit_vector(pair.input));
-    wanted_.push_back(unit_vector(pair.output) * reference);
+    wanted_.push_back(space.wanted(pair.output + level.value_or(0)));
   }
 }
 
@@ -89,14 +96,14 @@ bool ChainFunctionModel::residuals(std::span<const double> x, std::span<double> 
   const Vec2d begun = unit_vector(x[start_column()]);
   const std::size_t columns = x.size();
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const Vec2d* at = chain.at(begun * turned_[i]);
-    const double angle = relative_angle(at[space_.to] - at[space_.from], wanted_[i]);
-    if (!std::isfinite(angle)) return false;
-    r[i] = angle - x[level_column()];
+    chain.at(begun * turned_[i]);
+    const double error = space_.error(chain, wanted_[i]);
+    if (!std::isfinite(error)) return false;
+    r[i] = error - x[level_column()];
     if (jacobian.empty()) continue;
     double* row = jacobian.data() + i * columns;
     std::fill_n(row, columns, 0.0);
-    row[start_column()] = chain.angle_slope(space_.from, space_.to, row);
+    row[start_column()] = space_.output_slope(chain, row);
     row[level_column()] = -1;
   }
   return true;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,16 +18,16 @@ struct ChainFunctionDesign {
   double start = 0;
 };
 
-/// The direction of the output from which increments count, such that the error is least at the
-/// middle of its range over `pairs`; zero where the chain does not close.
-Vec2d output_reference(const ChainFunctionSpace& space, const ChainFunctionDesign& design,
-                       std::span<const synthesis::AnglePair> pairs);
+/// The output from which increments count, such that the errors over `pairs` reach as far up as
+/// down; empty where the chain does not close.
+std::optional<double> output_level(const ChainFunctionSpace& space,
+                                   const ChainFunctionDesign& design,
+                                   std::span<const synthesis::AnglePair> pairs);
 
-/// Residuals: the output's angle less the wanted one at `pairs`, radians. Unknowns: free
-/// parameters, the crank's and the output's angle at the start, the latter from
-/// `output_reference`. It has no value where the design that it begins with, brought within its
-/// bounds, does not close. Constraints: transmission at `checks`, whose crank angles turn with the
-/// start.
+/// Residuals: the output less the wanted one at `pairs`. Unknowns: free parameters, the crank's
+/// angle and the output at the start, the latter from `output_level`. It has no value where the
+/// design that it begins with, brought within its bounds, does not close. Constraints: transmission
+/// at `checks`, whose crank angles turn with the start.
 class ChainFunctionModel : public synthesis::Model {
  public:
   ChainFunctionModel(const ChainFunctionSpace& space, const ChainFunctionDesign& design,
@@ -59,7 +60,7 @@ class ChainFunctionModel : public synthesis::Model {
   synthesis::Objective objective_;
   bool closes_ = false;
   std::vector<Vec2d> turned_;  ///< the crank's direction at each pair, from that at the start
-  std::vector<Vec2d> wanted_;  ///< the wanted direction of the output at each pair
+  std::vector<WantedOutput> wanted_;  ///< at each pair
   std::vector<synthesis::Variable> variables_;
 };
 

@@ -31,14 +31,16 @@ struct ChainFunctionConstraints {
   std::optional<ErrorLimit> error{};  ///< of what is minimised
 };
 
-/// `kind = "function-generation"` with a chain as its mechanism: an angle of the output that is a
-/// function of the crank's angle.
+/// `kind = "function-generation"` with a chain as its mechanism: an angle of the output, or the
+/// displacement of a slider, that is a function of the crank's angle.
 struct ChainFunctionProblem {
   std::string title;
   std::optional<LengthUnit> length_unit{};
   std::string mechanism = "six-bar";  ///< `mechanism.type`
   std::vector<Topology> topologies;   ///< at least one; `trace` is the second point of the output
-  std::array<std::string, 2> output{"G", "F"};  ///< the angle from the first point to the second
+  /// The angle from the first point to the second; or the displacement of a slider along its guide:
+  /// the guide's name, then the pin's.
+  std::array<std::string, 2> output{"G", "F"};
   std::variant<FunctionOfX, AnglePairs> target;
   FunctionObjective objective = FunctionObjective::least_squares;  ///< or minimax
   std::vector<double> sample_at;  ///< sample abscissae in x; empty for angle pairs
@@ -48,6 +50,9 @@ struct ChainFunctionProblem {
   std::optional<Tolerances> tolerances{};
   std::optional<DesignLayers> layers{};
 };
+
+/// Whether the output is the displacement of a slider.
+bool slides(const ChainFunctionProblem& problem);
 
 template <>
 struct KindTraits<ChainFunctionProblem> {
@@ -65,7 +70,8 @@ struct Result;
 struct Run;
 
 /// Designs whose output errs least from the function, its start angles being free.
-/// `Design::error` is in radians, at the samples; `max` also between them. The same problem and
+/// `Design::error` is in radians, or in the file's unit where a slider is the output, at the
+/// samples; `max` also between them. The same problem and
 /// seed give the same designs for any number of threads.
 Result solve(const ChainFunctionProblem& problem, const Run& run);
 

@@ -16,19 +16,33 @@ constexpr std::string_view kType = "type", kOutput = "output";
 
 /// The values of `mechanism.type` of a function, those of other kinds first.
 std::vector<std::string_view> function_types() {
-  std::vector<std::string_view> words{"four-bar", "slider-crank"};
+  std::vector<std::string_view> words{"four-bar"};
   for (const TopologyWord& topology : function_topology_words()) words.push_back(topology.word);
   words.push_back(kChainWord);
   return words;
 }
 
-/// Faults what is for exact synthesis, which is for linkages whose loop equation is linear in its
-/// unknowns; returns whether there is such a thing.
+/// Keys of `[target]` and `[solve]` that are for exact synthesis, which is for linkages whose loop
+/// equation is linear in its unknowns.
+constexpr std::string_view kExactKeys[] = {"precision_points", "at",      "multiplicity",
+                                           "derivatives",      "spacing", "method"};
+
+/// Whether a file asks for exact synthesis.
+bool is_exact(TableReader& document) {
+  for (const std::string_view table : {"target", "solve"}) {
+    if (!document.has_table(table)) continue;
+    TableReader reader = document.table(table);
+    if (std::ranges::any_of(kExactKeys, [&](auto key) { return reader.contains(key); }))
+      return true;
+    if (reader.has_text("objective") && *reader.text("objective") == "exact") return true;
+  }
+  return false;
+}
+
+/// Faults what is for exact synthesis; returns whether there is such a thing.
 bool refuse_exact(TableReader& target, TableReader& solve) {
-  constexpr std::string_view kKeys[] = {"precision_points", "at",      "multiplicity",
-                                        "derivatives",      "spacing", "method"};
   bool is_there = false;
-  for (const std::string_view key : kKeys) {
+  for (const std::string_view key : kExactKeys) {
     for (TableReader* table : {&target, &solve}) {
       if (!table->has(key)) continue;
       is_there = true;
@@ -41,7 +55,8 @@ bool refuse_exact(TableReader& target, TableReader& solve) {
 }
 
 void read_goal(TableReader& target, TableReader& solve, ChainFunctionProblem& problem) {
-  auto wanted = read_function_target(target, MechanismType::four_bar);
+  const auto type = slides(problem) ? MechanismType::slider_crank : MechanismType::four_bar;
+  auto wanted = read_function_target(target, type);
   if (refuse_exact(target, solve) || !wanted) return know_function_goal(target, solve);
   FunctionProblem goal;
   goal.target = *std::move(wanted);
@@ -57,6 +72,12 @@ void read_goal(TableReader& target, TableReader& solve, ChainFunctionProblem& pr
   problem.sample_at = std::move(goal.sample_at);
 }
 
+Wanted wanted_output(const ChainFunctionProblem& problem) {
+  const auto& [from, to] = problem.output;
+  if (slides(problem)) return {kOutput, {to}, true};
+  return {kOutput, {from, to}};
+}
+
 void read_constraints(TableReader& table, ChainFunctionProblem& problem) {
   auto& limits = problem.constraints;
   limits.transmission_angle = read_chain_transmission(table).value_or(limits.transmission_angle);
@@ -68,12 +89,17 @@ void read_constraints(TableReader& table, ChainFunctionProblem& problem) {
 }  // namespace
 }  // namespace reading
 
+bool slides(const ChainFunctionProblem& problem) {
+  return problem.output[0] == guide_name(problem.output[1]);
+}
+
 bool KindTraits<ChainFunctionProblem>::takes(reading::TableReader& document) {
   if (!document.has_table("mechanism")) return false;
   if (document.has_table("target") && document.table("target").contains("dwell")) return false;
   reading::TableReader mechanism = document.table("mechanism");
   if (!mechanism.has_text(reading::kType)) return false;
   const std::string type = *mechanism.text(reading::kType);
+  if (type == kSliderCrankWord) return !reading::is_exact(document);
   return type == kChainWord || !from_string<MechanismType>(type);
 }
 
@@ -87,14 +113,14 @@ ChainFunctionProblem KindTraits<ChainFunctionProblem>::read(
     fault_chain_type(document, tables.mechanism, function_types());
     return problem;
   }
+  const auto known = function_topologies(problem.mechanism);
+  problem.output = read_output(tables.target, problem.mechanism, known);
   read_goal(tables.target, tables.solve, problem);
-  problem.output = read_output_link(tables.target, problem.mechanism);
-  problem.topologies = read_topologies(document, tables, function_topologies(problem.mechanism),
-                                       {kOutput, {problem.output.begin(), problem.output.end()}});
+  problem.topologies = read_topologies(document, tables, known, wanted_output(problem));
   read_constraints(tables.constraints, problem);
   read_chain_solve(tables.solve, problem.solve);
   problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies));
-  problem.tolerances = read_tolerances(document, {.unit = "deg"});
+  problem.tolerances = read_tolerances(document, {.unit = slides(problem) ? "" : "deg"});
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
     table->finish();

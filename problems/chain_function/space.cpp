@@ -3,12 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
 namespace {
 
 constexpr int kCoarsePairs = 25;
+
+OutputFrame frame_of(const ChainFunctionProblem& problem, const FunctionSamples& wanted) {
+  if (!slides(problem)) return {};
+  const auto [least, greatest] =
+      std::ranges::minmax(wanted.samples, {}, &synthesis::AnglePair::output);
+  const double swing = greatest.output - least.output;
+  return {.keeps_size = true, .size = swing > 0 ? swing : 1};
+}
+
+void scale_outputs(std::vector<synthesis::AnglePair>& pairs, double factor) {
+  for (synthesis::AnglePair& pair : pairs) pair.output *= factor;
+}
 
 /// At Chebyshev–Lobatto places of the domain, or of many pairs as many at even distances.
 std::vector<synthesis::AnglePair> coarse_pairs(const FunctionSamples& wanted) {
@@ -36,13 +49,34 @@ FunctionSamples function_samples(const ChainFunctionProblem& problem) {
 
 ChainFunctionSpace::ChainFunctionSpace(const ChainFunctionProblem& of, const Topology& given,
                                        const FunctionSamples& wanted)
-    : OutputSpace(given, of.output, of.constraints.transmission_angle, OutputFrame{}),
+    : OutputSpace(given, of.output, of.constraints.transmission_angle, frame_of(of, wanted)),
       coarse(coarse_pairs(wanted)),
       fine(wanted.samples),
       sweep(wanted.sweep),
       is_minimax(of.objective == FunctionObjective::minimax),
       needs_turn(of.constraints.over == LimitSpan::turn) {
   std::ranges::stable_sort(coarse, {}, &synthesis::AnglePair::input);
+  if (!slides()) return;
+  scale_outputs(coarse, 1 / scale.size);
+  scale_outputs(fine, 1 / scale.size);
+}
+
+WantedOutput ChainFunctionSpace::wanted(double output) const {
+  if (slides()) return {.displacement = output};
+  return {.direction = unit_vector(output)};
+}
+
+double ChainFunctionSpace::output(const FreeChain& chain) const {
+  return slides() ? chain.displacement(from, to) : angle_of(chain.way(from, to));
+}
+
+double ChainFunctionSpace::error(const FreeChain& chain, const WantedOutput& wanted) const {
+  return slides() ? chain.displacement(from, to) - wanted.displacement
+                  : relative_angle(chain.way(from, to), wanted.direction);
+}
+
+double ChainFunctionSpace::output_slope(FreeChain& chain, double* row) const {
+  return slides() ? chain.displacement_slope(from, to, row) : chain.angle_slope(from, to, row);
 }
 
 CrankSpan ChainFunctionSpace::span(double start) const {

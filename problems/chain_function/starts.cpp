@@ -9,6 +9,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/random.hpp"
 #include "problems/chain/output_dyad.hpp"
+#include "synthesis/chain/transform.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -30,18 +31,19 @@ class Positions {
           i < count_ ? std::lerp(space.sweep.min, space.sweep.max, double(i) / (count_ - 1))
                      : kTurn * (i - count_) / (kDrawnPositions - count_);
       cranks_[at] = unit_vector(start + turned);
-      outputs_[at] = unit_vector(space.output_at(turned));
+      outputs_[at] = space.wanted(space.output_at(turned));
     }
   }
 
   const DrawnCurve& cranks() const { return cranks_; }
   std::size_t count() const { return static_cast<std::size_t>(count_); }
-  /// The direction of the output, from that at the start.
-  const Vec2d& output(std::size_t i) const { return outputs_[i]; }
+  /// What the output is to be, from the start.
+  const WantedOutput& output(std::size_t i) const { return outputs_[i]; }
 
  private:
   int count_;
-  DrawnCurve cranks_, outputs_;
+  DrawnCurve cranks_;
+  std::array<WantedOutput, kDrawnPositions> outputs_;
 };
 
 class FunctionDraw {
@@ -50,8 +52,15 @@ class FunctionDraw {
       : space_(space), random_(random) {}
 
   std::optional<ChainFunctionDesign> best() {
-    ends_in_free_dyad(space_) ? draw_on_circles() : draw_whole();
-    return best_inside_.design ? std::move(best_inside_.design) : std::move(best_.design);
+    if (space_.slides() ? ends_in_free_slider(space_) : ends_in_free_dyad(space_)) {
+      draw_on_circles();
+    }
+    // Where no circle is near, the dyad on the nearest need not close.
+    if (!chosen() || !std::isfinite(error_of(*chosen()))) {
+      best_inside_ = best_ = {};
+      draw_whole();
+    }
+    return chosen();
   }
 
  private:
@@ -62,8 +71,69 @@ class FunctionDraw {
       const Positions positions(space_, start);
       const auto drawn = draw(carrier.space(), positions.cranks(), random_);
       if (!drawn) continue;
-      for (int k = 0; k < kPivots; ++k) hang_output(*drawn, positions, start);
+      for (int k = 0; k < kPivots; ++k) {
+        space_.slides() ? hang_slider(carrier.space(), *drawn, positions, start)
+                        : hang_output(*drawn, positions, start);
+      }
     }
+  }
+
+  /// Seen from the slider its pin stands still. A carrier without dimensions of its own is turned
+  /// and enlarged first.
+  void hang_slider(const ChainSpace& carrier, const DrawnChain& drawn, const Positions& positions,
+                   double start) {
+    const double turned = is_carrier_free_ ? uniform(random_, 0, kTurn) : 0;
+    const double size = is_carrier_free_ ? std::exp(uniform(random_, -1, 1)) : 1;
+    const Vec2d turn = size * unit_vector(turned);
+    const auto given = space_.given[guide_place()];
+    const Vec2d guide = unit_vector(given.value_or(uniform(random_, -kPi / 2, kPi / 2)));
+    const auto path = std::span(drawn.curve).first(positions.count());
+    seen_.clear();
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      seen_.push_back(turn * path[i] - positions.output(i).displacement * guide);
+    }
+    const CircleNear circle = circle_near(seen_);
+    if (!(circle.deviation < best_inside_.error) || !slider_closes(circle, guide)) return;
+    synthesis::ChainDesign chain = drawn.design;
+    synthesis::transform(carrier.lines, turn, {}, chain.parameters);
+    if (const auto whole = with_slider(space_, chain, guide, circle, seen_[0])) {
+      take({*whole, start + turned}, circle.deviation);
+    }
+  }
+
+  std::size_t guide_place() const {
+    const int place = space_.lines[static_cast<std::size_t>(space_.from)].parameter;
+    return static_cast<std::size_t>(place);
+  }
+
+  /// Whether all that is known of the carrier is that its crank turns about the origin.
+  bool carrier_is_free() const {
+    for (const auto& [line, parameter] : space_.lines) {
+      const auto at = static_cast<std::size_t>(parameter);
+      for (int i = 0; at < guide_place() && i < synthesis::parameter_count(line.type); ++i) {
+        const auto& given = space_.given[at + static_cast<std::size_t>(i)];
+        if (given && (line.type != synthesis::LineType::pivot || *given != 0)) return false;
+      }
+    }
+    return true;
+  }
+
+  /// Whether the slider's link stays on one side of its dead points, within the limit with some
+  /// allowance.
+  bool slider_closes(const CircleNear& circle, const Vec2d& guide) const {
+    double least = kNoFit, greatest = -kNoFit;
+    for (const Vec2d& point : seen_) {
+      const Vec2d link = circle.centre - point;
+      least = std::min(least, dot(guide, link));
+      greatest = std::max(greatest, dot(guide, link));
+      if (!(std::abs(cross(guide, link)) < most_cosine() * norm(link))) return false;
+    }
+    return least * greatest > 0;
+  }
+
+  double most_cosine() const {
+    constexpr double kAllowance = 0.15;
+    return std::min(space_.cosine_limit + kAllowance, 0.995);
   }
 
   void hang_output(const DrawnChain& carrier, const Positions& positions, double start) {
@@ -71,14 +141,18 @@ class FunctionDraw {
     const Vec2d pivot = pivot_beside(path);
     seen_.clear();
     for (std::size_t i = 0; i < path.size(); ++i) {
-      seen_.push_back(pivot + conj(positions.output(i)) * (path[i] - pivot));
+      seen_.push_back(pivot + conj(positions.output(i).direction) * (path[i] - pivot));
     }
     const CircleNear circle = circle_near(seen_);
     const double error = circle.deviation / norm(circle.centre - pivot);
-    if (!(error < best_inside_.error) || !closes(circle, pivot)) return;
+    if (!(error < best_inside_.error) || !dyad_closes(circle, pivot)) return;
     if (const auto chain = hung(space_, carrier.design, pivot, circle, seen_[0])) {
       take({*chain, start}, error);
     }
+  }
+
+  const std::optional<ChainFunctionDesign>& chosen() const {
+    return best_inside_.design ? best_inside_.design : best_.design;
   }
 
   void take(const ChainFunctionDesign& design, double error) {
@@ -100,8 +174,7 @@ class FunctionDraw {
   }
 
   /// Whether the dyad stays on one side of its dead points, within the limit with some allowance.
-  bool closes(const CircleNear& circle, const Vec2d& pivot) const {
-    constexpr double kAllowance = 0.15;
+  bool dyad_closes(const CircleNear& circle, const Vec2d& pivot) const {
     double least = kNoFit, greatest = -kNoFit;
     for (const Vec2d& point : seen_) {
       const Vec2d arm = pivot - circle.centre, link = point - circle.centre;
@@ -109,8 +182,7 @@ class FunctionDraw {
       const double sine = cross(arm, link) / scale;
       least = std::min(least, sine);
       greatest = std::max(greatest, sine);
-      const double most = std::min(space_.cosine_limit + kAllowance, 0.995);
-      if (!(std::abs(dot(arm, link)) / scale < most)) return false;
+      if (!(std::abs(dot(arm, link)) / scale < most_cosine())) return false;
     }
     return least * greatest > 0;
   }
@@ -138,6 +210,7 @@ class FunctionDraw {
 
   const ChainFunctionSpace& space_;
   std::mt19937_64& random_;
+  bool is_carrier_free_ = carrier_is_free();
   std::vector<Vec2d> seen_;  ///< the carrying point, from the output
   struct Best {
     std::optional<ChainFunctionDesign> design;

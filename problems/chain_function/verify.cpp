@@ -6,9 +6,9 @@
 
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "problems/chain/output_space.hpp"
 #include "problems/chain/verify.hpp"
 #include "problems/function/error_peaks.hpp"
+#include "problems/function/slider_generator.hpp"
 #include "problems/linkage/error_limit.hpp"
 
 namespace cognate::problems {
@@ -44,23 +44,35 @@ AssemblyRanges limited_motion(const ChainFunctionProblem& problem, const Functio
 }  // namespace
 
 ErrorMeasure error_measure(const ChainFunctionProblem& problem) {
-  return problem.objective == FunctionObjective::minimax ? ErrorMeasure::largest_angle
-                                                         : ErrorMeasure::rms_angle;
+  if (problem.objective == FunctionObjective::minimax) {
+    return slides(problem) ? ErrorMeasure::largest_length : ErrorMeasure::largest_angle;
+  }
+  return slides(problem) ? ErrorMeasure::rms_length : ErrorMeasure::rms_angle;
 }
 
 double error_of(const ChainFunctionProblem& problem, const Design& design) {
-  return error_measure(problem) == ErrorMeasure::largest_angle ? design.error.max
-                                                               : design.error.rms;
+  return problem.objective == FunctionObjective::minimax ? design.error.max : design.error.rms;
+}
+
+std::optional<Guide<double>> guide_of(const NamedMechanism& mechanism, const std::string& pin) {
+  const auto& dyads = std::get<ChainDescription>(mechanism.description).dyads;
+  const auto found = std::ranges::find(dyads, pin, &DyadDescription::new_point);
+  if (found == dyads.end() || found->type != DyadType::rrp) return std::nullopt;
+  const auto index = static_cast<std::size_t>(found - dyads.begin());
+  return std::get<Rrp<double>>(mechanism.mechanism.dyads[index]).guide;
 }
 
 ChainFunctionError::ChainFunctionError(const ChainFunctionProblem& problem,
                                        const FunctionSamples& wanted,
                                        const NamedMechanism& mechanism, double start)
     : start_(start), motion_(mechanism.mechanism) {
-  for (std::size_t i = 0; i < 2; ++i) {
-    points_[i] = std::ranges::find(mechanism.points, problem.output[i], &NamedPoint::name)->at;
+  if (slides(problem)) guide_ = guide_of(mechanism, problem.output[1]);
+  for (std::size_t i = guide_ ? 1 : 0; i < 2; ++i) {
+    points_.at(i) =
+        std::ranges::find(mechanism.points, problem.output.at(i), &NamedPoint::name)->at;
   }
-  reference_ = unit_vector(at(wanted.samples.front()));
+  const AnglePair& first = wanted.samples.front();
+  level_ = output(first.input).value_or(kNone) - first.output;
   double sum = 0, least = kNone, greatest = -kNone;
   for (const AnglePair& pair : wanted.samples) {
     const double error = at(pair);
@@ -68,20 +80,22 @@ ChainFunctionError::ChainFunctionError(const ChainFunctionProblem& problem,
     least = std::min(least, error);
     greatest = std::max(greatest, error);
   }
-  const double level = problem.objective == FunctionObjective::minimax
-                           ? 0.5 * (least + greatest)
-                           : sum / double(wanted.samples.size());
-  reference_ = unit_vector(level) * reference_;
+  level_ += problem.objective == FunctionObjective::minimax ? 0.5 * (least + greatest)
+                                                            : sum / double(wanted.samples.size());
+}
+
+std::optional<double> ChainFunctionError::output(double input) const {
+  if (!motion_.move_to(start_ + input)) return std::nullopt;
+  const Vec2d to = motion_.point(points_[1])[0];
+  if (guide_) return dot(guide_->direction, to - guide_->through);
+  return angle_of(to - motion_.point(points_[0])[0]);
 }
 
 double ChainFunctionError::at(const AnglePair& pair) const {
-  if (!motion_.move_to(start_ + pair.input)) return kNone;
-  const Vec2d way = motion_.point(points_[1])[0] - motion_.point(points_[0])[0];
-  return relative_angle(way, unit_vector(pair.output) * reference_);
-}
-
-double ChainFunctionError::output_start() const {
-  return angle_of(reference_);
+  const auto here = output(pair.input);
+  if (!here) return kNone;
+  const double error = *here - pair.output - level_;
+  return guide_ ? error : std::remainder(error, kTurn);
 }
 
 Design verified(const ChainFunctionProblem& problem, const FunctionSamples& wanted,
@@ -91,7 +105,11 @@ Design verified(const ChainFunctionProblem& problem, const FunctionSamples& want
   const ChainFunctionError error(problem, wanted, mechanism, start);
   design.error = errors_over(wanted, error);
   design.metrics.input_start = in_one_turn(start);
-  design.metrics.output_start = in_one_turn(error.output_start());
+  if (slides(problem)) {
+    design.metrics.quantities.push_back(quantity(kSliderStartKey, error.output_start()));
+  } else {
+    design.metrics.output_start = in_one_turn(error.output_start());
+  }
   const AssemblyRanges motion = limited_motion(problem, wanted, mechanism, start);
   measure_transmission(topology, mechanism, motion, design.metrics);
   check_transmission(problem.constraints.transmission_angle, design);

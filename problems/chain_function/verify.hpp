@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string>
 
 #include "analysis/mechanism/kinematics.hpp"
 #include "problems/chain_function/problem.hpp"
@@ -23,17 +25,24 @@ class ChainFunctionError {
   ChainFunctionError(const ChainFunctionProblem& problem, const FunctionSamples& wanted,
                      const NamedMechanism& mechanism, double start);
 
-  /// The output's angle less the wanted one, radians; infinite where the chain does not close.
+  /// The output less the wanted one; infinite where the chain does not close.
   double at(const synthesis::AnglePair& pair) const;
-  /// The output's angle at the start, from the x axis.
-  double output_start() const;
+  /// The output at the start: its angle from the x axis, or the slider's displacement from the foot
+  /// of the pivot from which the guide's offset counts.
+  double output_start() const { return level_; }
 
  private:
+  std::optional<double> output(double input) const;
+
   double start_;
   mutable MechanismMotion<0> motion_;
-  std::array<Attached<double>, 2> points_;
-  Vec2d reference_{1, 0};
+  std::optional<Guide<double>> guide_;        ///< of a slider
+  std::array<Attached<double>, 2> points_{};  ///< of a slider the second alone: its pin
+  double level_ = 0;                          ///< the output at the start
 };
+
+/// The guide of the frame on which the slider with this pin runs; empty where there is none.
+std::optional<Guide<double>> guide_of(const NamedMechanism& mechanism, const std::string& pin);
 
 /// `mechanism`, of the topology, its crank at `start` from the x axis at the start of the function,
 /// with its errors, the transmission angles of each joint over the motion limited, and checks.

@@ -12,15 +12,20 @@ namespace reading {
 namespace {
 
 TableWriter target_writer(const ChainFunctionProblem& problem) {
-  TableWriter table = function_target_writer(problem.target, problem.sample_at, false);
-  return std::move(table).set_name("objective", problem.objective).set("output", problem.output);
+  TableWriter table = function_target_writer(problem.target, problem.sample_at, slides(problem));
+  table.set_name("objective", problem.objective);
+  if (slides(problem)) return std::move(table).set("output", problem.output[1]);
+  return std::move(table).set("output", problem.output);
 }
 
 TableWriter limits_writer(const ChainFunctionProblem& problem) {
   const auto& limits = problem.constraints;
   TableWriter table;
   table.set_deg("transmission_angle_deg", limits.transmission_angle).set_name("over", limits.over);
-  if (limits.error) table.set_deg(to_string(limits.error->of), limits.error->max);
+  if (limits.error) {
+    const auto& [of, max] = *limits.error;
+    is_angle(of) ? table.set_deg(to_string(of), max) : table.set(to_string(of), max);
+  }
   write_design_layers(problem.layers, table);
   return table;
 }
@@ -43,7 +48,7 @@ reading::Written KindTraits<ChainFunctionProblem>::written(const ChainFunctionPr
           .set("solve", chain_solve_writer(problem.solve))
           .set("warnings", warnings_writer(problem.warnings))
           .append(layers_table(problem.layers))
-          .append(tolerance_table(problem.tolerances, true))
+          .append(tolerance_table(problem.tolerances, !slides(problem)))
           .take();
   return all;
 }

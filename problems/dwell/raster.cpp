@@ -13,7 +13,6 @@
 namespace cognate::problems {
 namespace {
 
-using synthesis::LineType;
 using synthesis::RasterBox;
 using synthesis::RasterNumbers;
 using synthesis::RasterPoint;
@@ -129,14 +128,14 @@ class DwellRaster final : public synthesis::RasterTask {
  private:
   int assemblies() const {
     int count = 1;
-    for (const auto& line : space_.lines) count *= line.line.type == LineType::dyad ? 2 : 1;
+    for (const auto& line : space_.lines) count *= is_dyad(line.line.type) ? 2 : 1;
     return count;
   }
 
   /// The dyads put together by the bits of `assembly`.
   DwellDesign in_assembly(DwellDesign design, int assembly) const {
     for (std::size_t i = 0; i < space_.lines.size(); ++i) {
-      if (space_.lines[i].line.type != LineType::dyad) continue;
+      if (!is_dyad(space_.lines[i].line.type)) continue;
       design.chain.side[i] = assembly % 2 == 0 ? 1 : -1;
       assembly /= 2;
     }
@@ -197,8 +196,8 @@ class DwellRaster final : public synthesis::RasterTask {
     made.chain.parameters.assign(point.x.begin(), point.x.begin() + count);
     made.start.assign(point.x.begin() + count, point.x.end());
     for (std::size_t i = 0; i < space_.lines.size(); ++i) {
-      const bool is_dyad = space_.lines[i].line.type == LineType::dyad;
-      made.chain.side.push_back(!is_dyad ? 0 : (point.form & (1 << i)) != 0 ? 1 : -1);
+      const bool has_side = is_dyad(space_.lines[i].line.type);
+      made.chain.side.push_back(!has_side ? 0 : (point.form & (1 << i)) != 0 ? 1 : -1);
     }
     return made;
   }

@@ -23,10 +23,12 @@ constexpr NumberRule kPartOfTurn{[](double x) { return x > 0 && x < 360; },
 constexpr NumberRule kBand{[](double x) { return x >= 1e-12 && x <= 180; },
                            "an angle in degrees from 1e-12 to 180"};
 
-/// The values of `mechanism.type` of a dwell.
+/// The values of `mechanism.type` of a dwell, whose output is an angle.
 std::vector<std::string_view> dwell_types() {
   std::vector<std::string_view> words;
-  for (const TopologyWord& topology : function_topology_words()) words.push_back(topology.word);
+  for (const auto& [word, meaning] : function_topology_words()) {
+    if (!ends_in_slider(function_topologies(word).front())) words.push_back(word);
+  }
   words.push_back(kChainWord);
   return words;
 }

@@ -86,7 +86,7 @@ void LegSpace::stay_near() {
   for (const auto& [line, parameter] : lines) {
     const auto at = static_cast<std::size_t>(parameter);
     const double* own = published.parameters.data() + at;
-    const bool is_length = line.type == LineType::crank || line.type == LineType::dyad;
+    const bool is_length = has_lengths(line.type);
     for (int k = 0; k < synthesis::parameter_count(line.type); ++k) {
       const std::size_t i = at + static_cast<std::size_t>(k);
       const double most = factor * (is_length ? own[k] : std::hypot(own[0], own[1]));

@@ -8,7 +8,7 @@
 
 namespace cognate::problems {
 double shown_error(ErrorMeasure of, double error) {
-  return of == ErrorMeasure::rms_length ? error : degrees(error);
+  return is_angle(of) ? degrees(error) : error;
 }
 
 std::string error_column(ErrorMeasure of) {

@@ -53,9 +53,14 @@ struct Clearance {
 
 /// What a bound on the error limits: the root mean square (over the weights of a path, too) of a
 /// distance or of an angle, or the largest angle of a minimax problem.
-enum class ErrorMeasure { rms_length, rms_angle, largest_angle };
+enum class ErrorMeasure { rms_length, rms_angle, largest_length, largest_angle };
 
-/// `constraints.rms_error_max`, `rms_error_deg_max` or `max_error_deg_max`: lengths or radians.
+constexpr bool is_angle(ErrorMeasure of) {
+  return of == ErrorMeasure::rms_angle || of == ErrorMeasure::largest_angle;
+}
+
+/// `constraints.rms_error_max`, `max_error_max`, `rms_error_deg_max` or `max_error_deg_max`:
+/// lengths or radians.
 struct ErrorLimit {
   ErrorMeasure of = ErrorMeasure::rms_length;
   double max = 0;

@@ -46,6 +46,7 @@ constexpr auto kObjectives = [] {
 constexpr Named<ErrorMeasure> kErrorMeasures[] = {
     {"rms_error_max", ErrorMeasure::rms_length},
     {"rms_error_deg_max", ErrorMeasure::rms_angle},
+    {"max_error_max", ErrorMeasure::largest_length},
     {"max_error_deg_max", ErrorMeasure::largest_angle}};
 constexpr Named<synthesis::Loss> kLosses[] = {
     {"none", synthesis::Loss::none},       {"huber", synthesis::Loss::huber},

@@ -100,7 +100,7 @@ std::optional<ErrorLimit> read_error_limit(TableReader& constraints, ErrorMeasur
   for (const auto& [key, of] : names<ErrorMeasure>()) {
     if (of == measure) {
       const auto most = constraints.number(key, kErrorScale);
-      if (most) limit = {of, of == ErrorMeasure::rms_length ? *most : radians(*most)};
+      if (most) limit = {of, is_angle(of) ? radians(*most) : *most};
     } else if (constraints.has(key)) {
       constraints.fault(
           key, fmt::format("is of another error than this problem's; expected constraints.{}",

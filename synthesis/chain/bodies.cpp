@@ -19,16 +19,16 @@ struct Assembled {
   std::vector<int> joints;
 
   void add(const ChainLine& line, int index) {
-    if (line.type == LineType::pivot) {
+    if (line.type == LineType::pivot || line.type == LineType::guide) {
       bodies.front().push_back(index);
     } else if (line.type == LineType::crank) {
       bodies.push_back({line.first, index});
     } else if (Body* common = body_of(bodies, line.first, line.second)) {
       common->push_back(index);
-    } else if (line.type == LineType::dyad) {
+    } else if (is_dyad(line.type)) {
       joints.push_back(index);
       bodies.push_back({line.first, index});
-      bodies.push_back({line.second, index});
+      bodies.push_back(line.type == LineType::dyad ? Body{line.second, index} : Body{index});
     }
   }
 };

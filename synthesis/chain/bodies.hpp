@@ -7,9 +7,9 @@
 
 namespace cognate::synthesis {
 
-/// The bodies of `chain` as lists of lines, ascending: the frame with all pivots, the crank, then
-/// those of the dyads. The joint of a dyad whose two points are on one body is on that body too: it
-/// makes a rigid triangle.
+/// The bodies of `chain` as lists of lines, ascending: the frame with all pivots and guides, the
+/// crank, then those of the dyads. The joint of a dyad whose two points are on one body is on that
+/// body too: it makes a rigid triangle.
 std::vector<std::vector<int>> bodies(const Chain& chain);
 
 /// The lines of the dyads whose joints move: all but rigid triangles.

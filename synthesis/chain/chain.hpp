@@ -14,10 +14,42 @@ namespace cognate::synthesis {
 ///     dyad       RRR: the joint of two links from `first` and `second`      their lengths
 ///     attached   a point of the body on which `first` and `second` are,     u, v
 ///                in its axes: origin `first`, first axis towards `second`
-enum class LineType { pivot, crank, dyad, attached };
+///     guide      a straight guide of the frame; its point is the foot of    direction, offset
+///                the pivot `first`, from which the offset counts, to the
+///                left of the direction (radians from the x axis)
+///     slider     RRP: the pin of a slider on the guide `second`, joined     length
+///                by a link to `first`
+enum class LineType { pivot, crank, dyad, attached, guide, slider };
 
 constexpr int parameter_count(LineType type) {
-  return type == LineType::crank ? 1 : 2;
+  return type == LineType::crank || type == LineType::slider ? 1 : 2;
+}
+
+/// What a parameter is: it says how it changes when a chain is moved, turned and enlarged.
+enum class ParameterRole { x, y, length, along, across, direction, offset };
+
+constexpr ParameterRole parameter_role(LineType type, int index) {
+  switch (type) {
+    case LineType::pivot:
+      return index == 0 ? ParameterRole::x : ParameterRole::y;
+    case LineType::attached:
+      return index == 0 ? ParameterRole::along : ParameterRole::across;
+    case LineType::guide:
+      return index == 0 ? ParameterRole::direction : ParameterRole::offset;
+    default:
+      return ParameterRole::length;
+  }
+}
+
+/// Whether a line's parameters are lengths of links.
+constexpr bool has_lengths(LineType type) {
+  return parameter_role(type, 0) == ParameterRole::length;
+}
+
+/// Whether a line closes on points that move by themselves, so that it can be assembled in two ways
+/// and has a transmission angle.
+constexpr bool is_dyad(LineType type) {
+  return type == LineType::dyad || type == LineType::slider;
 }
 
 struct ChainLine {
@@ -63,7 +95,8 @@ inline std::vector<PlacedLine> placed_lines(const Chain& chain) {
 struct ChainDesign {
   std::vector<double> parameters;  ///< line by line
   std::vector<int> side;           ///< of each line: a dyad's joint lies to the left (1) or to the
-                                   ///< right (−1) of the way from `first` to `second`; else 0
+                                   ///< right (−1) of the way from `first` to `second`, a slider
+                                   ///< ahead of `first` (1) or behind (−1); else 0
 };
 
 }  // namespace cognate::synthesis

@@ -29,7 +29,8 @@ template <class T>
 struct ChainPlace {
   Vec2<T> crank;             ///< the direction of the crank
   Vec2<T> at[kMostLines];    ///< the points
-  Vec2<T> axis[kMostLines];  ///< of attached points: the first axis of their body
+  Vec2<T> axis[kMostLines];  ///< of attached points: the first axis of their body; of guides: their
+                             ///< direction
   T inverse[kMostLines];     ///< of these: one over the distance of its two points
 };
 
@@ -46,10 +47,23 @@ Vec2<T> dyad_joint(const Vec2<T>& p, const Vec2<T>& q, const T& a, const T& b, c
   return p + half * (Vec2<T>{along, side * height} * way);
 }
 
+/// The pin of a slider on the guide through `on` in the direction `guide`, at the distance `length`
+/// from `from`, to the `side` of the foot of `from`.
+template <class T>
+Vec2<T> slider_pin(const Vec2<T>& from, const Vec2<T>& on, const Vec2<T>& guide, const T& length,
+                   const T& side) {
+  using std::sqrt;
+  const Vec2<T> across = perp(guide);
+  const T away = dot(across, on - from);
+  return from + away * across + (side * sqrt((length - away) * (length + away))) * guide;
+}
+
 /// Places all lines at the direction `crank` of the crank. `Again`: `out` is a place of the same
 /// chain with the same dimensions, so that the distances within its bodies are known.
 template <bool Again = false, class T>
 void place(const ChainView<T>& chain, const Vec2<T>& crank, ChainPlace<T>& out) {
+  using std::cos;
+  using std::sin;
   using std::sqrt;
   out.crank = crank;
   for (int k = 0; k < chain.count; ++k) {
@@ -73,6 +87,14 @@ void place(const ChainView<T>& chain, const Vec2<T>& crank, ChainPlace<T>& out) 
         out.at[k] = out.at[line.first] + Vec2<T>{own[0], own[1]} * out.axis[k];
         break;
       }
+      case LineType::guide:
+        if constexpr (!Again) out.axis[k] = {cos(own[0]), sin(own[0])};
+        out.at[k] = out.at[line.first] + own[1] * perp(out.axis[k]);
+        break;
+      case LineType::slider:
+        out.at[k] = slider_pin(out.at[line.first], out.at[line.second], out.axis[line.second],
+                               own[0], chain.side[k]);
+        break;
     }
   }
 }
@@ -87,7 +109,7 @@ void move(const ChainView<T>& chain, const ChainPlace<T>& at, const T& turn, con
     const auto& [line, parameter] = chain.lines[k];
     const T* own = chain.parameters + parameter;
     const T first = rate(parameter),
-            second = line.type == LineType::crank ? T(0) : rate(parameter + 1);
+            second = parameter_count(line.type) == 1 ? T(0) : rate(parameter + 1);
     switch (line.type) {
       case LineType::pivot:
         velocity[k] = {first, second};
@@ -107,6 +129,19 @@ void move(const ChainView<T>& chain, const ChainPlace<T>& at, const T& turn, con
         const T spin = at.inverse[k] * cross(axis, velocity[line.second] - velocity[line.first]);
         velocity[k] = velocity[line.first] + Vec2<T>{first, second} * axis +
                       spin * perp(at.at[k] - at.at[line.first]);
+        break;
+      }
+      case LineType::guide:
+        velocity[k] =
+            velocity[line.first] + second * perp(at.axis[k]) - (own[1] * first) * at.axis[k];
+        break;
+      case LineType::slider: {
+        const Vec2<T> u = at.at[k] - at.at[line.first], v = perp(at.axis[line.second]);
+        const T turning = rate(chain.lines[line.second].parameter);
+        const T along_u = dot(u, velocity[line.first]) + own[0] * first;
+        const T along_v = dot(v, velocity[line.second]) +
+                          turning * dot(at.axis[line.second], at.at[k] - at.at[line.second]);
+        velocity[k] = (T(1) / cross(u, v)) * (along_v * perp(u) - along_u * perp(v));
         break;
       }
     }
@@ -155,16 +190,43 @@ T sweep_back(const ChainView<T>& chain, const ChainPlace<T>& at, int last, Vec2<
         seed[line.first] = seed[line.first] + (f - couple);
         break;
       }
+      case LineType::guide:
+        slope[0] = slope[0] - own[1] * dot(f, at.axis[k]);
+        slope[1] = slope[1] + dot(f, perp(at.axis[k]));
+        seed[line.first] = seed[line.first] + f;
+        break;
+      case LineType::slider: {
+        const Vec2<T>& guide = at.axis[line.second];
+        const Vec2<T> u = at.at[k] - at.at[line.first], v = perp(guide);
+        const T inverse = T(1) / cross(u, v);
+        const T first = inverse * cross(f, v), second = inverse * cross(u, f);
+        seed[line.first] = seed[line.first] + first * u;
+        seed[line.second] = seed[line.second] + second * v;
+        slope[0] = slope[0] + first * own[0];
+        T& turning = gradient[chain.lines[line.second].parameter];
+        turning = turning + second * dot(guide, at.at[k] - at.at[line.second]);
+        break;
+      }
     }
   }
   return turn;
 }
 
-/// The cosine of the transmission angle of the dyad of line `k`: that between its two links.
+/// The distance of the point `first` of slider `k` from its guide, to the left of the guide.
+template <class T>
+T slider_distance(const ChainView<T>& chain, const ChainPlace<T>& at, int k) {
+  const ChainLine& line = chain.lines[k].line;
+  return dot(perp(at.axis[line.second]), at.at[line.second] - at.at[line.first]);
+}
+
+/// The cosine of the transmission angle of the dyad of line `k`: that between its two links, of a
+/// slider that between its link and the normal of its guide.
 template <class T>
 T transmission_cosine(const ChainView<T>& chain, const ChainPlace<T>& at, int k) {
   const auto& [line, parameter] = chain.lines[k];
-  const T &a = chain.parameters[parameter], &b = chain.parameters[parameter + 1];
+  const T& a = chain.parameters[parameter];
+  if (line.type == LineType::slider) return slider_distance(chain, at, k) / a;
+  const T& b = chain.parameters[parameter + 1];
   const T square = squared_norm(at.at[line.second] - at.at[line.first]);
   return (a * a + b * b - square) / (T(2) * a * b);
 }
@@ -174,9 +236,20 @@ template <class T>
 void seed_transmission(const ChainView<T>& chain, const ChainPlace<T>& at, int k, const T& cosine,
                        const T& weight, Vec2<T>* seed, T* gradient) {
   const auto& [line, parameter] = chain.lines[k];
-  const T &a = chain.parameters[parameter], &b = chain.parameters[parameter + 1];
-  const T share = weight / (a * b);
+  const T& a = chain.parameters[parameter];
   const Vec2<T> way = at.at[line.second] - at.at[line.first];
+  if (line.type == LineType::slider) {
+    const T share = weight / a;
+    const Vec2<T>& guide = at.axis[line.second];
+    seed[line.second] = seed[line.second] + share * perp(guide);
+    seed[line.first] = seed[line.first] - share * perp(guide);
+    T& turning = gradient[chain.lines[line.second].parameter];
+    turning = turning - share * dot(guide, way);
+    gradient[parameter] = gradient[parameter] - share * cosine;
+    return;
+  }
+  const T& b = chain.parameters[parameter + 1];
+  const T share = weight / (a * b);
   seed[line.second] = seed[line.second] - share * way;
   seed[line.first] = seed[line.first] + share * way;
   gradient[parameter] = gradient[parameter] + weight * (T(1) / b - cosine / a);

@@ -34,6 +34,31 @@ def intersection(p, q, a, b, left):
     return p + way / distance * complex(along, math.sqrt(height2) * (1 if left else -1))
 
 
+def guide_of(at, row):
+    """The direction of a slider's guide, and the foot of the point from which its offset counts."""
+    slide = row["slide"]
+    direction = cmath.rect(1, math.radians(slide.get("direction_deg", 0)))
+    through = slide["through"]
+    through = at[through] if isinstance(through, str) else complex(*through)
+    return direction, through + 1j * direction * slide.get("offset", 0)
+
+
+def joined(row):
+    """The points that a dyad joins."""
+    return [row["joins"]] if isinstance(row["joins"], str) else row["joins"]
+
+
+def slider_pin(at, row):
+    """Where the link meets the guide; None where it does not."""
+    direction, on = guide_of(at, row)
+    (length,), start = row["lengths"] if "lengths" in row else [row["length"]], at[joined(row)[0]]
+    away = (start - on) / direction
+    if abs(away.imag) > length:
+        return None
+    along = math.sqrt(length * length - away.imag ** 2) * (1 if row["assembly"] == "open" else -1)
+    return on + direction * (away.real + along)
+
+
 class Chain:
     """A mechanism as result documents describe it: pivot, crank, dyad, point."""
 
@@ -59,24 +84,27 @@ class Chain:
 
         place_points()
         for row in self.dyads:
-            first, second = row["joins"]
-            at[row["new"]] = intersection(at[first], at[second], *row["lengths"],
-                                          row["assembly"] == "open")
-            if at[row["new"]] is None:
+            joint = slider_pin(at, row) if "slide" in row else intersection(
+                *(at[end] for end in row["joins"]), *row["lengths"], row["assembly"] == "open")
+            if joint is None:
                 return None
+            at[row["new"]] = joint
             place_points()
         return at
 
     def closure(self, at):
         """The largest error of a length, relative to it."""
-        return max(abs(abs(at[row["new"]] - at[end]) / length - 1)
-                   for row in self.dyads for end, length in zip(row["joins"], row["lengths"]))
+        return max(abs(abs(at[row["new"]] - at[end]) / length - 1) for row in self.dyads
+                   for end, length in zip(joined(row), row.get("lengths") or [row["length"]]))
 
     def transmission(self, at):
-        """The least angle between the links of a dyad and its supplement, in degrees."""
+        """The least angle between the links of a dyad, of a slider that between its link and the
+        normal of its guide, and its supplement, in degrees."""
         least = 90.0
         for row in self.dyads:
-            first, second = (at[end] - at[row["new"]] for end in row["joins"])
+            first, second = (at[end] - at[row["new"]] for end in (joined(row) * 2)[:2])
+            if "slide" in row:
+                second = 1j * guide_of(at, row)[0]
             angle = math.degrees(abs(cmath.phase(first / second)))
             least = min(least, angle, 180 - angle)
         return least
@@ -122,6 +150,11 @@ STEPHENSON_A = six_bar((4, 0), (0, 0.5), (4, 2, 3, 1.5), False, (1.5, 3), False,
 STEPHENSON_B = six_bar((3.5, 0), (-1.5, 4.5), (4, 4, 3.5, 3.5), True, (3, 0), True, (3.5, -3))
 WATT_A = six_bar((3.5, 0), None, (3, 3.5, 3.5, 2.5), True, (-2, -0.5), False, (1.5, -3), (0, 0.5))
 EIGHT_BAR = eight_bar()
+SLIDER_CRANK = Chain({
+    "pivot": [{"name": "A", "at": (0, 0)}], "crank": {"at": "A", "pin": "B", "length": 1},
+    "dyad": [{"type": "RRP", "joins": "B", "length": 3, "assembly": "open", "new": "C",
+              "slide": {"through": "A", "direction_deg": 12, "offset": 0.4}}],
+    "point": [{"name": "P", "on": ["B", "C"], "at": (1.8, 0.9)}]})
 
 # Of each library file its planted design, the traced point, its crank angles and the digits that
 # the points have.
@@ -129,7 +162,8 @@ PLANTED = {"stephenson-path": (STEPHENSON_A, "P", turn(60), 9),
            "watt-path": (WATT_A, "P", turn(60), 9),
            "eight-bar-path": (EIGHT_BAR, "P", turn(60), 9),
            "timed-arc": (STEPHENSON_B, "P", [math.radians(20 + 5 * i) for i in range(31)], 9),
-           "partly-fixed": (STEPHENSON_B, "P", turn(48), 9)}
+           "partly-fixed": (STEPHENSON_B, "P", turn(48), 9),
+           "slider-crank-path": (SLIDER_CRANK, "P", turn(60), 9)}
 
 
 def planted_points(name):
@@ -168,7 +202,9 @@ class Oracle(unittest.TestCase):
             self.assertLess(abs(path[0] - start), 2e-9)
 
     def test_transmission(self):
-        for chain, least in ((STEPHENSON_A, 36.619), (STEPHENSON_B, 36.420), (WATT_A, 44.415)):
+        slider_crank = math.degrees(math.acos(1.4 / 3))  # where the crank stands across the guide
+        for chain, least in ((STEPHENSON_A, 36.619), (STEPHENSON_B, 36.420), (WATT_A, 44.415),
+                             (SLIDER_CRANK, slider_crank)):
             found = min(chain.transmission(chain.places(angle)) for angle in turn(SAMPLES))
             self.assertAlmostEqual(found, least, delta=1e-3)
 
@@ -225,7 +261,7 @@ class Designs(unittest.TestCase):
                 for row in mechanism.get(table, [])}
         for table, key in (("pivot", "name"), ("dyad", "new"), ("point", "name")):
             for given in file.get(table, []):
-                for dimension in ("at", "lengths", "assembly"):
+                for dimension in ("at", "lengths", "length", "assembly"):
                     if dimension in given:
                         self.assert_kept(given[dimension], rows[given[key]][dimension])
         if "length" in file.get("crank", {}):
@@ -259,6 +295,9 @@ class Designs(unittest.TestCase):
 
     def test_partly_fixed(self):
         self.check("partly-fixed", 1e-4)
+
+    def test_slider_crank(self):
+        self.check("slider-crank-path", 1e-8)
 
 
 class Files(unittest.TestCase):

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string_view>
+#include <vector>
 
 #include "synthesis/chain/chain.hpp"
 
@@ -67,6 +68,52 @@ inline std::array<SixBar, 4> six_bars() {
         {41.850, 80.215},
         {-3.227313, -0.651753, -5.939845, -2.616858},
         {-1.905244440, -4.087419589}}}};
+}
+
+/// Chains of the same lines but for a slider in place of one of their dyads, without figures: a
+/// slider-crank with a dyad on its connecting rod, and a four-bar whose coupler drives a slider.
+/// They close over the whole turn.
+inline std::vector<SixBar> chains_with_sliders() {
+  using synthesis::LineType;
+  const synthesis::Chain rod{{{LineType::pivot},
+                              {LineType::guide, 0},
+                              {LineType::crank, 0},
+                              {LineType::slider, 2, 1},
+                              {LineType::attached, 2, 3},
+                              {LineType::pivot},
+                              {LineType::dyad, 4, 5},
+                              {LineType::attached, 4, 6}}};
+  const synthesis::Chain press{{{LineType::pivot},
+                                {LineType::pivot},
+                                {LineType::crank, 0},
+                                {LineType::dyad, 2, 1},
+                                {LineType::attached, 2, 3},
+                                {LineType::guide, 1},
+                                {LineType::slider, 4, 5},
+                                {LineType::attached, 4, 6}}};
+  std::vector<SixBar> all;
+  for (const int side : {1, -1}) {
+    all.push_back({"slider-crank and dyad",
+                   rod,
+                   {{0.2, -0.1, 0.4, 0.3, 1, 3.5, 2, 0.8, 1, 4.5, 4, 3.5, 1.5, -1},
+                    {0, 0, 0, side, 0, 0, side, 0}},
+                   3,
+                   6});
+    all.push_back(
+        {"four-bar and slider",
+         press,
+         {{0, 0, 3.5, 0, 1, 4, 4, 3, 0.5, -0.8, 1.2, 5, 1.5, -2}, {0, 0, 0, side, 0, 0, -side, 0}},
+         3,
+         6});
+  }
+  return all;
+}
+
+/// All of these.
+inline std::vector<SixBar> six_bars_and_sliders() {
+  auto all = chains_with_sliders();
+  for (const SixBar& six_bar : six_bars()) all.push_back(six_bar);
+  return all;
 }
 
 }  // namespace cognate::test

@@ -28,13 +28,16 @@ constexpr Entry kChain[] = {
     {"[[pivot]]", "name, at = [x, y]: here and below, what is missing or \"free\" is found"},
     {"[crank]", "of a chain: at, pin; length"},
     {"[[dyad]]", "of a chain: joins = [\"B\", \"D\"], new; lengths = [l1, l2], assembly"},
+    {"[[dyad]] type = \"RRP\"",
+     "of a chain, a slider: joins = \"E\", new; length, assembly, slide = {through, direction_deg, "
+     "offset}: offset from the pivot through (default: the crank's) to the left"},
     {"[[point]]", "of a chain: name, on = [\"B\", \"C\"]; at = [u, v], origin B, first axis to C"},
     {"bounds.length", "[min, max] of the crank and the links of all dyads"},
     {"bounds.pivots", "[[xmin, ymin], [xmax, ymax]]"},
     {"bounds.point", "[[umin, vmin], [umax, vmax]] of the points on links"},
     {"bounds.NAME",
      "of one point: a box; of the crank's pin [min, max]; of a dyad's joint [[min1, max1], [min2, "
-     "max2]]"},
+     "max2]]; of a slider's pin [min, max] of its link, NAME-slide [min, max] of its offset"},
     {"constraints.transmission_angle_deg", "[min, max] of every dyad"},
     {"constraints.over",
      "where that holds: \"turn\" (default) of the crank, or \"range\", from the first to the last "

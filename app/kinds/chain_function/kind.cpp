@@ -26,16 +26,24 @@ constexpr Entry kChainFunctionKeys[] = {
     {"target.samples", "how many samples the error is taken at (default 61)"},
     {"target.sample_at", "or: their x"},
     {"target.objective", "\"least-squares\" (default) or \"minimax\""},
-    {"target.output", "[\"G\", \"F\"] (default): the output's angle is that from G to F"},
+    {"target.pairs", "or, of a slider: [[input_deg, displacement], ...]"},
+    {"target.output_range", "of a slider: its travel for the values"},
+    {"target.output",
+     "[\"G\", \"F\"] (default): the output's angle is that from G to F; of a chain also the name "
+     "of "
+     "a slider"},
     {"mechanism.type",
-     "\"six-bar\", \"stephenson-3\", \"watt-2\", or \"chain\"; parts and bounds as of "
-     "path-generation (chains)"},
+     "\"six-bar\", \"stephenson-3\", \"watt-2\", or \"chain\"; with a slider as output "
+     "\"slider-crank\", \"six-bar-slider\", \"stephenson-3-slider\", \"watt-2-slider\"; parts and "
+     "bounds as of path-generation (chains)"},
     {"constraints.transmission_angle_deg", "[min, max] of every dyad over the motion"},
     {"constraints.over",
      "\"range\" (default): the motion is that of the function; or \"turn\", of the whole crank"},
-    {"constraints.rms_error_deg_max", "of the output's angle; with minimax max_error_deg_max"}};
+    {"constraints.rms_error_deg_max", "of the output's angle; with minimax max_error_deg_max"},
+    {"constraints.rms_error_max", "of a slider's displacement; with minimax max_error_max"}};
 
-constexpr QuantityColumn kChainFunctionQuantities[] = {{"topology", "topology"}};
+constexpr QuantityColumn kChainFunctionQuantities[] = {{"topology", "topology"},
+                                                       {"output_start", "output start [length]"}};
 
 }  // namespace
 
@@ -46,7 +54,7 @@ std::span<const Entry> Kind<ChainFunctionProblem>::keys() {
 std::string Kind<ChainFunctionProblem>::describe(const ChainFunctionProblem& problem) {
   const auto wanted = [&] {
     if (const auto* pairs = std::get_if<problems::AnglePairs>(&problem.target)) {
-      return fmt::format("{} pairs of angles", pairs->size());
+      return fmt::format("{} pairs", pairs->size());
     }
     const auto& function = std::get<problems::FunctionOfX>(problem.target);
     return function.text.empty() ? fmt::format("a table of {} points", function.table.size())
@@ -56,8 +64,11 @@ std::string Kind<ChainFunctionProblem>::describe(const ChainFunctionProblem& pro
                 fmt::format("function generation ({}), {}", problem.mechanism, wanted()));
 }
 
-ColumnChoice Kind<ChainFunctionProblem>::columns(const ChainFunctionProblem& /*problem*/) {
-  return {.error_unit = "deg", .angular_output = true, .quantities = kChainFunctionQuantities};
+ColumnChoice Kind<ChainFunctionProblem>::columns(const ChainFunctionProblem& problem) {
+  const bool slides = problems::slides(problem);
+  return {.error_unit = slides ? "length" : "deg",
+          .angular_output = !slides,
+          .quantities = kChainFunctionQuantities};
 }
 
 nlohmann::ordered_json Kind<ChainFunctionProblem>::target_json(
@@ -75,7 +86,8 @@ nlohmann::ordered_json Kind<ChainFunctionProblem>::reached_json(const ChainFunct
     return std::isfinite(here) ? std::optional(here) : std::nullopt;
   };
   const auto* function = std::get_if<problems::FunctionOfX>(&problem.target);
-  return {{"trace", trace_json(function_trace(function, wanted, start, error_at))}};
+  const FunctionTrace trace = function_trace(function, wanted, start, error_at);
+  return {{"trace", trace_json(trace, problems::slides(problem))}};
 }
 
 }  // namespace cognate::app

@@ -9,7 +9,8 @@ namespace cognate::app {
 template <>
 struct Kind<problems::ChainFunctionProblem> : LinkageKind<problems::ChainFunctionProblem> {
   static constexpr std::string_view kMeaning =
-      "an output angle of a six-bar or a chain of dyads follows a function of the crank's angle";
+      "an output angle or a slider of a six-bar or a chain of dyads follows a function of the "
+      "crank's angle";
   static constexpr std::string_view kListName = "function-generation (chains)";
   static constexpr std::string_view kMethods =
       "six-bars and chains of dyads whose output follows a function";

@@ -54,8 +54,10 @@ std::vector<ListSection> Kind<DwellProblem>::sections() {
   for (std::size_t i = 0; i < meanings.size(); ++i) {
     entries.push_back({problems::function_topology_words()[i].word, meanings[i]});
   }
-  return {
-      list_section("function_topologies", "topologies of dwells (mechanism.type = ...)", entries)};
+  return {list_section("function_topologies",
+                       "topologies of functions and dwells (mechanism.type = ...); dwells take "
+                       "those without sliders",
+                       entries)};
 }
 
 std::string Kind<DwellProblem>::describe(const DwellProblem& problem) {

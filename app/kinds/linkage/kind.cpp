@@ -49,7 +49,7 @@ MetricNames chain_metric_names(std::span<const problems::Topology> topologies) {
   MetricNames names = linkage_metric_names();
   for (const problems::Topology& topology : topologies) {
     for (const problems::TopologyLine& line : topology.lines) {
-      if (line.line.type != synthesis::LineType::dyad) continue;
+      if (!is_dyad(line.line.type)) continue;
       names.names.push_back({fmt::format("transmission_{}_min_deg", line.name)});
     }
   }

@@ -19,6 +19,7 @@ namespace {
 
 using test::kTracedLine;
 using test::six_bars;
+using test::six_bars_and_sliders;
 using test::SixBar;
 
 struct Planted {
@@ -68,8 +69,8 @@ std::vector<ChainFitState> disturbed(const SixBar& six_bar, const Planted& from,
   return states;
 }
 
-TEST(ChainFit, FindsPlantedSixBarsAgainOnEveryInstructionSet) {
-  for (const SixBar& six_bar : six_bars()) {
+TEST(ChainFit, FindsPlantedChainsAgainOnEveryInstructionSet) {
+  for (const SixBar& six_bar : six_bars_and_sliders()) {
     SCOPED_TRACE(six_bar.name);
     const Planted planted_fit = planted(six_bar, 60);
     for (const InstructionSet set : instruction_sets()) {

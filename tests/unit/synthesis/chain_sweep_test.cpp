@@ -18,6 +18,7 @@ namespace {
 using Quad = boost::multiprecision::cpp_bin_float_quad;
 using test::kTracedLine;
 using test::six_bars;
+using test::six_bars_and_sliders;
 using test::SixBar;
 
 constexpr int kPositions = 360;
@@ -83,7 +84,7 @@ TEST(ChainSweep, PathsAndTransmissionAnglesOfPublishedSixBars) {
 }
 
 TEST(ChainSweep, GradientsAreDifferencesIn113Bits) {
-  for (const SixBar& six_bar : six_bars()) {
+  for (const SixBar& six_bar : six_bars_and_sliders()) {
     SCOPED_TRACE(six_bar.name);
     Posed<double> chain(six_bar);
     Posed<Quad> exact(six_bar);
@@ -116,7 +117,7 @@ TEST(ChainSweep, GradientsAreDifferencesIn113Bits) {
 }
 
 TEST(ChainSweep, MotionAndGradientSayTheSame) {
-  for (const SixBar& six_bar : six_bars()) {
+  for (const SixBar& six_bar : six_bars_and_sliders()) {
     SCOPED_TRACE(six_bar.name);
     Posed<double> chain(six_bar);
     const std::size_t count = six_bar.design.parameters.size();
@@ -138,12 +139,12 @@ TEST(ChainSweep, MotionAndGradientSayTheSame) {
 }
 
 TEST(ChainSweep, CosinesAreDifferentiatedToo) {
-  for (const SixBar& six_bar : six_bars()) {
+  for (const SixBar& six_bar : six_bars_and_sliders()) {
     SCOPED_TRACE(six_bar.name);
     Posed<double> chain(six_bar);
     Posed<Quad> exact(six_bar);
-    const int joint = six_bar.second_joint;
-    for (int i = 0; i < kPositions; i += 30) {
+    for (int i = 0; i < kPositions; i += 15) {
+      const int joint = i % 2 == 0 ? six_bar.second_joint : six_bar.first_joint;
       const Vec2d crank = unit_vector(kTurn * i / kPositions);
       const auto& place = chain.at(crank);
       std::vector<double> gradient(six_bar.design.parameters.size(), 0.0);

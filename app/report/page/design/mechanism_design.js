@@ -30,6 +30,7 @@ export class MechanismDesign {
     this.driveName = drawn.drive ? sentence(term(drawn.drive.name)) : say("part.drive");
     this.stations = drawn.stations ?? [];
     this.trace = drawn.trace?.crank_deg.length ? drawn.trace : null;
+    this.errors = this.trace && (this.trace.error_deg ?? this.trace.error);
     if (this.trace) this.span = [Math.min(...this.trace.crank_deg), Math.max(...this.trace.crank_deg)];
     this.assembles = Boolean(samples) && samples.drive.length > 1;
     const ends = this.assembles ? [samples.drive[0], samples.drive.at(-1)] : [0, 1];
@@ -86,8 +87,8 @@ export class MechanismDesign {
     return { curve: this.point ? boxOf([...this.point.path, ...this.targets]) : null, moving, whole: boxOf([...corners, ...this.targets]) };
   }
 
-  errorAt(crank) { return this.trace?.x ? this.between(crank, this.trace.crank_deg, this.trace.error_deg) : null; }
-  get largestError() { return this.trace ? Math.max(...this.trace.error_deg.map(Math.abs)) : largestDistance(this.targets, this.reached); }
+  errorAt(crank) { return this.trace?.x ? this.between(crank, this.trace.crank_deg, this.errors) : null; }
+  get largestError() { return this.trace ? Math.max(...this.errors.map(Math.abs)) : largestDistance(this.targets, this.reached); }
 
   // `value` carried from one list to another; crank angles are first turned into the range used.
   between(value, from, to, isCrank = true) {

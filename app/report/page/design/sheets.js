@@ -99,21 +99,22 @@ function precisionSpots(design, cranks, x) {
 
 export function structuralErrorSheet(design) {
   const { trace } = design;
-  if (isRounding(design.largestError, 1 / RADIANS)) return null;
+  const slides = !trace.error_deg;
+  if (isRounding(design.largestError, slides ? diagonal(design.boxes.whole) : 1 / RADIANS)) return null;
   const byX = trace.x !== null;
-  const { values, unit, size } = scaled(trace.error_deg, "°");
+  const { values, unit, size } = scaled(slides ? trace.error : trace.error_deg, slides ? say("unit.length") : "°");
   const x = byX ? trace.x : trace.crank_deg;
   const order = x.map((_, i) => i).sort((i, j) => x[i] - x[j]);
   const sortedX = order.map((i) => x[i]);
   const cranks = order.map((i) => trace.crank_deg[i]);
   const margin = 0.03 * (sortedX.at(-1) - sortedX[0]) || 1;
   const spots = byX ? precisionSpots(design, cranks, sortedX) : [];
-  const note = say("sheet.structural_note", { value: number(size, 4) });
+  const note = say(slides ? "sheet.structural_note_slider" : "sheet.structural_note", { value: number(size, 4) });
   return { x: sortedX, xRange: [sortedX[0] - margin, sortedX.at(-1) + margin], xLabel: byX ? "x" : say("drive.angle_axis", { name: say("part.crank") }),
     lines: [{ y: order.map((i) => values[i]), colour: "--error", dots: !byX }], stems: !byX, hover: byX,
     yRange: size > 0 ? undefined : [-1, 1],
     title: say("sheet.structural_error", { unit }), spots, note: spots.length ? say("sheet.with_precision", { note, list: spots.map(({ x: at }) => number(at, 4)).join(say("list.comma")) }) : note,
-    summary: say("range.at_most_unit", { value: number(size, 4), unit: say("unit.degrees") }),
+    summary: say("range.at_most_unit", { value: number(size, 4), unit: say(slides ? "unit.length" : "unit.degrees") }),
     xAt: (crank) => design.between(crank, cranks, sortedX), driveAt: (at) => design.between(at, sortedX, cranks, false) };
 }
 
