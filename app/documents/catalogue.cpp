@@ -61,6 +61,7 @@ constexpr Metric kKindMetrics[] = {
     {"half_band_deg", "deg", "maximum deviation of the output from its mid position in a dwell"},
     {"dwell_from_deg, dwell_2_from_deg", "deg", "crank angle at which a dwell begins"},
     {"apart_deg", "deg", "difference of the output's mid positions in two dwells"},
+    {"half_band, apart", "length", "the same of a slider (dwells)"},
     {"duty", "1", "share of the turn in which the foot stands, the duty factor (legs)"},
     {"stride", "length", "extent of the foot's path along the ground in stance (legs)"},
     {"step_height", "length", "extent of the foot's path across the ground over the turn (legs)"},

@@ -109,6 +109,22 @@ bool ends_in_free_slider(const OutputSpace& space) {
   return is_last && !is_given(from, 1) && !is_given(to, 0);
 }
 
+std::optional<double> guide_direction(const OutputSpace& space) {
+  const int place = space.lines[static_cast<std::size_t>(space.from)].parameter;
+  return space.given[static_cast<std::size_t>(place)];
+}
+
+bool has_free_carrier(const OutputSpace& space) {
+  const auto before = std::span(space.lines).first(static_cast<std::size_t>(space.from));
+  return std::ranges::all_of(before, [&](const synthesis::PlacedLine& line) {
+    for (int i = 0; i < synthesis::parameter_count(line.line.type); ++i) {
+      const auto& given = space.given[static_cast<std::size_t>(line.parameter + i)];
+      if (given && (line.line.type != LineType::pivot || *given != 0)) return false;
+    }
+    return true;
+  });
+}
+
 std::optional<synthesis::ChainDesign> with_slider(const OutputSpace& space,
                                                   const synthesis::ChainDesign& carrier,
                                                   const Vec2d& guide, const CircleNear& circle,

@@ -31,6 +31,13 @@ bool ends_in_free_dyad(const OutputSpace& space);
 /// moves with the slider.
 bool ends_in_free_slider(const OutputSpace& space);
 
+/// The direction of its guide, where that is given.
+std::optional<double> guide_direction(const OutputSpace& space);
+
+/// Whether all that is known of the chain before the guide is that its crank turns about the
+/// origin: it may be turned and enlarged.
+bool has_free_carrier(const OutputSpace& space);
+
 /// The chain up to E, of such a space.
 class OutputCarrier {
  public:

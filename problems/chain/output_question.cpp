@@ -1,6 +1,24 @@
 #include "problems/chain/output_question.hpp"
 
 namespace cognate::problems {
+namespace {
+
+OutputQuestion asked(const NamedMechanism& mechanism, ToleranceQuestion question,
+                     ToleranceQuantity output) {
+  OutputQuestion asked;
+  std::vector<Attached<double>> points;
+  for (const NamedPoint& point : mechanism.points) points.push_back(point.at);
+  ChangedMechanism<double> nominal({mechanism.mechanism, points});
+  for (const Station& station : question.stations) {
+    nominal.move_to(station);
+    asked.way.push_back(nominal.value(output.response));
+  }
+  question.quantities.push_back(std::move(output));
+  asked.question = std::move(question);
+  return asked;
+}
+
+}  // namespace
 
 std::optional<OutputQuestion> output_question(const NamedMechanism& mechanism,
                                               const std::array<std::string, 2>& output,
@@ -12,15 +30,7 @@ std::optional<OutputQuestion> output_question(const NamedMechanism& mechanism,
   ToleranceQuantity angle{.name = "output", .judged = true};
   const int body = mechanism.points[second->index].at.body;
   angle.response = {.type = ResponseType::angle, .index = static_cast<std::size_t>(body)};
-  OutputQuestion asked;
-  ChangedMechanism<double> nominal({mechanism.mechanism, {}});
-  for (const Station& station : question.stations) {
-    nominal.move_to(station);
-    asked.way.push_back(nominal.value(angle.response));
-  }
-  question.quantities.push_back(std::move(angle));
-  asked.question = std::move(question);
-  return asked;
+  return asked(mechanism, std::move(question), std::move(angle));
 }
 
 std::optional<OutputQuestion> displacement_question(const NamedMechanism& mechanism,
@@ -31,8 +41,8 @@ std::optional<OutputQuestion> displacement_question(const NamedMechanism& mechan
   if (!response || kept.size() != angles.size()) return std::nullopt;
   response->type = ResponseType::along;
   response->direction = direction;
-  question.quantities.push_back({.name = "output", .response = *response, .judged = true});
-  return OutputQuestion{std::move(question), {}};
+  ToleranceQuantity displacement{.name = "output", .response = *response, .judged = true};
+  return asked(mechanism, std::move(question), std::move(displacement));
 }
 
 }  // namespace cognate::problems

@@ -13,7 +13,7 @@ namespace cognate::problems {
 /// A question whose first quantity is the output's angle, as what is judged, without offsets.
 struct OutputQuestion {
   ToleranceQuestion question;
-  std::vector<Vec2d> way;  ///< of the nominal output at each station
+  std::vector<Vec2d> way;  ///< the nominal response at each station
 };
 
 /// The angle of the way between the points called `output` at crank angles (radians); empty where
@@ -22,8 +22,7 @@ std::optional<OutputQuestion> output_question(const NamedMechanism& mechanism,
                                               const std::array<std::string, 2>& output,
                                               const std::vector<double>& angles);
 
-/// The same for the displacement of the point called `pin` along `direction`, a unit vector;
-/// nothing is said of its way.
+/// The same for the displacement of the point called `pin` along `direction`, a unit vector.
 std::optional<OutputQuestion> displacement_question(const NamedMechanism& mechanism,
                                                     const std::string& pin, const Vec2d& direction,
                                                     const std::vector<double>& angles);

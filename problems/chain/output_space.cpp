@@ -4,6 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
+
 namespace cognate::problems {
 namespace {
 
@@ -150,6 +153,30 @@ OutputSpace::OutputSpace(const Topology& given, const std::array<std::string, 2>
 
 bool OutputSpace::slides() const {
   return lines[static_cast<std::size_t>(from)].line.type == LineType::guide;
+}
+
+double OutputSpace::most_level() const {
+  constexpr double kMostDisplaced = 20;
+  return slides() ? kMostDisplaced : kPi;
+}
+
+WantedOutput OutputSpace::wanted(double output) const {
+  if (slides()) return {.displacement = output};
+  return {.direction = unit_vector(output)};
+}
+
+WantedOutput OutputSpace::output(const FreeChain& chain) const {
+  if (slides()) return {.displacement = chain.displacement(from, to)};
+  return {.direction = chain.way(from, to)};
+}
+
+double OutputSpace::error(const FreeChain& chain, const WantedOutput& of) const {
+  return slides() ? chain.displacement(from, to) - of.displacement
+                  : relative_angle(chain.way(from, to), of.direction);
+}
+
+double OutputSpace::output_slope(FreeChain& chain, double* row) const {
+  return slides() ? chain.displacement_slope(from, to, row) : chain.angle_slope(from, to, row);
 }
 
 double relative_angle(const Vec2d& way, const Vec2d& reference) {

@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "problems/chain/space.hpp"
+#include "problems/chain/free_chain.hpp"
 
 namespace cognate::problems {
 
@@ -14,6 +14,12 @@ struct OutputFrame {
   bool keeps_size = false;
   bool keeps_direction = false;
   double size = 1;  ///< the unit where it is kept and the file gives no length
+};
+
+/// What the output is at a position: a direction, or the displacement of a slider.
+struct WantedOutput {
+  Vec2d direction{1, 0};
+  double displacement = 0;
 };
 
 /// The designs of one topology by the angle of the way from the point of line `from` to that of
@@ -27,6 +33,17 @@ struct OutputSpace : ChainSpace {
 
   /// Whether the output is the displacement of a slider.
   bool slides() const;
+  /// By how much a level of the output may change in a fit: half a turn, or so many units.
+  double most_level() const;
+
+  /// An output of so many radians or units.
+  WantedOutput wanted(double output) const;
+  /// The output where `chain` is.
+  WantedOutput output(const FreeChain& chain) const;
+  /// The same less `from`, in radians, within half a turn, or units.
+  double error(const FreeChain& chain, const WantedOutput& from) const;
+  /// The derivatives of the output, as FreeChain has them.
+  double output_slope(FreeChain& chain, double* row) const;
 
   /// `output`: names of the two points, or of the guide and its slider. `transmission`: radians;
   /// the narrower side counts.

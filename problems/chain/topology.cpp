@@ -379,6 +379,14 @@ NamedMechanism named(const Topology& topology, const synthesis::ChainDesign& des
   return Naming(topology, design).take();
 }
 
+std::optional<Guide<double>> guide_of(const NamedMechanism& mechanism, const std::string& pin) {
+  const auto& dyads = std::get<ChainDescription>(mechanism.description).dyads;
+  const auto found = std::ranges::find(dyads, pin, &DyadDescription::new_point);
+  if (found == dyads.end() || found->type != DyadType::rrp) return std::nullopt;
+  const auto index = static_cast<std::size_t>(found - dyads.begin());
+  return std::get<Rrp<double>>(mechanism.mechanism.dyads[index]).guide;
+}
+
 synthesis::ChainDesign dimensions(const Topology& topology, const NamedMechanism& mechanism) {
   synthesis::ChainDesign design;
   const auto lines = chain_of(topology).lines;

@@ -89,6 +89,9 @@ synthesis::Chain chain_of(const Topology& topology);
 /// The mechanism that `design` is, with the names of `topology`.
 NamedMechanism named(const Topology& topology, const synthesis::ChainDesign& design);
 
+/// The guide of the frame on which the slider with this pin runs; empty where there is none.
+std::optional<Guide<double>> guide_of(const NamedMechanism& mechanism, const std::string& pin);
+
 /// The dimensions of a mechanism of this topology.
 synthesis::ChainDesign dimensions(const Topology& topology, const NamedMechanism& mechanism);
 

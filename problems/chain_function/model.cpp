@@ -10,13 +10,6 @@
 #include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
-namespace {
-
-/// By so much in units of the space the start of a slider may move.
-constexpr double kMostDisplaced = 20;
-
-}  // namespace
-
 std::optional<double> output_level(const ChainFunctionSpace& space,
                                    const ChainFunctionDesign& design,
                                    std::span<const synthesis::AnglePair> pairs) {
@@ -26,7 +19,7 @@ std::optional<double> output_level(const ChainFunctionSpace& space,
   double least = std::numeric_limits<double>::infinity(), greatest = -least;
   for (const auto& [input, output] : pairs) {
     chain.at(design.start + input);
-    if (!first) first = space.output(chain) - output;
+    if (!first) first = space.error(chain, space.wanted(output));
     const double error = space.error(chain, space.wanted(output + *first));
     if (!std::isfinite(error)) return std::nullopt;
     least = std::min(least, error);
@@ -52,8 +45,7 @@ ChainFunctionModel::ChainFunctionModel(const ChainFunctionSpace& space,
                           std::max(0.1, std::abs(design_.chain.parameters[i]))});
   }
   variables_.push_back({"start", design.start - kTurn, design.start + kTurn, 1});
-  const double most = space.slides() ? kMostDisplaced : kPi;
-  variables_.push_back({"output's start", -most, most, 1});
+  variables_.push_back({"output's start", -space.most_level(), space.most_level(), 1});
   const auto level = output_level(space, design_, pairs);
   closes_ = level.has_value();
   for (const auto& pair : pairs) {

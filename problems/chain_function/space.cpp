@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 
 namespace cognate::problems {
@@ -59,24 +58,6 @@ ChainFunctionSpace::ChainFunctionSpace(const ChainFunctionProblem& of, const Top
   if (!slides()) return;
   scale_outputs(coarse, 1 / scale.size);
   scale_outputs(fine, 1 / scale.size);
-}
-
-WantedOutput ChainFunctionSpace::wanted(double output) const {
-  if (slides()) return {.displacement = output};
-  return {.direction = unit_vector(output)};
-}
-
-double ChainFunctionSpace::output(const FreeChain& chain) const {
-  return slides() ? chain.displacement(from, to) : angle_of(chain.way(from, to));
-}
-
-double ChainFunctionSpace::error(const FreeChain& chain, const WantedOutput& wanted) const {
-  return slides() ? chain.displacement(from, to) - wanted.displacement
-                  : relative_angle(chain.way(from, to), wanted.direction);
-}
-
-double ChainFunctionSpace::output_slope(FreeChain& chain, double* row) const {
-  return slides() ? chain.displacement_slope(from, to, row) : chain.angle_slope(from, to, row);
 }
 
 CrankSpan ChainFunctionSpace::span(double start) const {

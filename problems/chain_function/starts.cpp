@@ -85,7 +85,7 @@ class FunctionDraw {
     const double turned = is_carrier_free_ ? uniform(random_, 0, kTurn) : 0;
     const double size = is_carrier_free_ ? std::exp(uniform(random_, -1, 1)) : 1;
     const Vec2d turn = size * unit_vector(turned);
-    const auto given = space_.given[guide_place()];
+    const auto given = guide_direction(space_);
     const Vec2d guide = unit_vector(given.value_or(uniform(random_, -kPi / 2, kPi / 2)));
     const auto path = std::span(drawn.curve).first(positions.count());
     seen_.clear();
@@ -99,23 +99,6 @@ class FunctionDraw {
     if (const auto whole = with_slider(space_, chain, guide, circle, seen_[0])) {
       take({*whole, start + turned}, circle.deviation);
     }
-  }
-
-  std::size_t guide_place() const {
-    const int place = space_.lines[static_cast<std::size_t>(space_.from)].parameter;
-    return static_cast<std::size_t>(place);
-  }
-
-  /// Whether all that is known of the carrier is that its crank turns about the origin.
-  bool carrier_is_free() const {
-    for (const auto& [line, parameter] : space_.lines) {
-      const auto at = static_cast<std::size_t>(parameter);
-      for (int i = 0; at < guide_place() && i < synthesis::parameter_count(line.type); ++i) {
-        const auto& given = space_.given[at + static_cast<std::size_t>(i)];
-        if (given && (line.type != synthesis::LineType::pivot || *given != 0)) return false;
-      }
-    }
-    return true;
   }
 
   /// Whether the slider's link stays on one side of its dead points, within the limit with some
@@ -210,7 +193,7 @@ class FunctionDraw {
 
   const ChainFunctionSpace& space_;
   std::mt19937_64& random_;
-  bool is_carrier_free_ = carrier_is_free();
+  bool is_carrier_free_ = has_free_carrier(space_);
   std::vector<Vec2d> seen_;  ///< the carrying point, from the output
   struct Best {
     std::optional<ChainFunctionDesign> design;

@@ -54,14 +54,6 @@ double error_of(const ChainFunctionProblem& problem, const Design& design) {
   return problem.objective == FunctionObjective::minimax ? design.error.max : design.error.rms;
 }
 
-std::optional<Guide<double>> guide_of(const NamedMechanism& mechanism, const std::string& pin) {
-  const auto& dyads = std::get<ChainDescription>(mechanism.description).dyads;
-  const auto found = std::ranges::find(dyads, pin, &DyadDescription::new_point);
-  if (found == dyads.end() || found->type != DyadType::rrp) return std::nullopt;
-  const auto index = static_cast<std::size_t>(found - dyads.begin());
-  return std::get<Rrp<double>>(mechanism.mechanism.dyads[index]).guide;
-}
-
 ChainFunctionError::ChainFunctionError(const ChainFunctionProblem& problem,
                                        const FunctionSamples& wanted,
                                        const NamedMechanism& mechanism, double start)

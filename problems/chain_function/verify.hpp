@@ -4,7 +4,6 @@
 
 #include <array>
 #include <optional>
-#include <string>
 
 #include "analysis/mechanism/kinematics.hpp"
 #include "problems/chain_function/problem.hpp"
@@ -40,9 +39,6 @@ class ChainFunctionError {
   std::array<Attached<double>, 2> points_{};  ///< of a slider the second alone: its pin
   double level_ = 0;                          ///< the output at the start
 };
-
-/// The guide of the frame on which the slider with this pin runs; empty where there is none.
-std::optional<Guide<double>> guide_of(const NamedMechanism& mechanism, const std::string& pin);
 
 /// `mechanism`, of the topology, its crank at `start` from the x axis at the start of the function,
 /// with its errors, the transmission angles of each joint over the motion limited, and checks.

@@ -32,15 +32,15 @@ DwellModel::DwellModel(const DwellSpace& space, const DwellDesign& design, Dwell
     double least = 0, greatest = 0;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       const double crank = design.start[k] + space.problem->dwells[k].over * nodes_[i];
-      const Vec2d* at = chain.at(crank);
-      const Vec2d way = at[space.to] - at[space.from];
-      if (k == 0 && i == 0) reference_ = way;
-      const double angle = relative_angle(way, reference_);
-      least = i == 0 ? angle : std::min(least, angle);
-      greatest = i == 0 ? angle : std::max(greatest, angle);
+      chain.at(crank);
+      if (k == 0 && i == 0) reference_ = space.output(chain);
+      const double output = space.error(chain, reference_);
+      least = i == 0 ? output : std::min(least, output);
+      greatest = i == 0 ? output : std::max(greatest, output);
     }
     levels_.push_back(0.5 * (least + greatest));
-    variables_.push_back({fmt::format("level {}", k + 1), -kPi, kPi, 1});
+    const double most = space.most_level();
+    variables_.push_back({fmt::format("level {}", k + 1), -most, most, 1});
   }
 }
 
@@ -80,14 +80,14 @@ bool DwellModel::residuals(std::span<const double> x, std::span<double> r,
   for (std::size_t k = 0; k < dwells(); ++k) {
     for (std::size_t i = 0; i < count; ++i) {
       const double crank = x[first_start() + k] + space_.problem->dwells[k].over * nodes_[i];
-      const Vec2d* at = chain.at(crank);
-      const double angle = relative_angle(at[space_.to] - at[space_.from], reference_);
-      if (!std::isfinite(angle)) return false;
-      r[k * count + i] = (angle - x[first_level() + k]) / unit_;
+      chain.at(crank);
+      const double output = space_.error(chain, reference_);
+      if (!std::isfinite(output)) return false;
+      r[k * count + i] = (output - x[first_level() + k]) / unit_;
       if (jacobian.empty()) continue;
       double* row = jacobian.data() + (k * count + i) * columns;
       std::fill_n(row, columns, 0.0);
-      row[first_start() + k] = chain.angle_slope(space_.from, space_.to, row);
+      row[first_start() + k] = space_.output_slope(chain, row);
       row[first_level() + k] = -1;
       for (std::size_t c = 0; c < columns; ++c) row[c] /= unit_;
     }
@@ -105,18 +105,17 @@ void DwellModel::constraints(std::span<const double> x, std::span<double> c,
   std::size_t next = 2 * checks_.transmission.size();
   if (has_swing()) {
     std::vector<double> low(columns, 0.0);
-    const Vec2d* at = chain.at(checks_.lowest);
-    const Vec2d below = at[space_.to] - at[space_.from];
-    chain.angle_slope(space_.from, space_.to, low.data());
-    at = chain.at(checks_.highest);
-    const Vec2d above = at[space_.to] - at[space_.from];
-    const double swing = relative_angle(above, reference_) - relative_angle(below, reference_);
+    chain.at(checks_.lowest);
+    const double below = space_.error(chain, reference_);
+    space_.output_slope(chain, low.data());
+    chain.at(checks_.highest);
+    const double swing = space_.error(chain, reference_) - below;
     c[next] = std::isfinite(swing) ? swing - space_.swing_min : -1;
     if (!jacobian.empty()) {
       double* row = jacobian.data() + next * columns;
       std::fill_n(row, columns, 0.0);
       if (std::isfinite(swing)) {
-        chain.angle_slope(space_.from, space_.to, row);
+        space_.output_slope(chain, row);
         for (std::size_t i = 0; i < space_.free.size(); ++i) row[i] -= low[i];
       }
     }

@@ -48,7 +48,7 @@ class DwellModel : public synthesis::Model {
   std::size_t first_level() const { return first_start() + dwells(); }
   synthesis::ChainDesign chain(std::span<const double> x) const;
   bool has_swing() const { return space_.problem->swing_min > 0; }
-  bool has_apart() const { return space_.problem->apart && dwells() == 2; }
+  bool has_apart() const { return space_.apart && dwells() == 2; }
 
   const DwellSpace& space_;
   DwellDesign design_;
@@ -56,7 +56,7 @@ class DwellModel : public synthesis::Model {
   DwellChecks checks_;
   std::vector<double> nodes_;  ///< in [0, 1]
   double unit_;
-  Vec2d reference_;  ///< direction of the output from which angles are counted
+  WantedOutput reference_;  ///< the output from which levels are counted
   std::vector<double> levels_;
   std::vector<synthesis::Variable> variables_;
 };

@@ -23,7 +23,7 @@ namespace cognate::problems {
 struct Dwell {
   double over = 0;                      ///< its length, in (0, 2π)
   std::optional<double> from;           ///< crank angle at which it begins; empty: found
-  std::optional<double> half_band_max;  ///< of the output about its middle
+  std::optional<double> half_band_max;  ///< of the output about its middle, radians or lengths
 };
 
 /// `[constraints]` of dwells.
@@ -38,10 +38,12 @@ struct DwellProblem {
   std::optional<LengthUnit> length_unit{};
   std::string mechanism = "six-bar";  ///< `mechanism.type`
   std::vector<Topology> topologies;   ///< at least one; `trace` is the second point of the output
-  std::array<std::string, 2> output{"G", "F"};  ///< the angle from the first point to the second
-  std::vector<Dwell> dwells;                    ///< one or two, in the order of the crank's turn
+  /// The angle from the first point to the second; or the displacement of a slider along its guide:
+  /// the guide's name, then the pin's.
+  std::array<std::string, 2> output{"G", "F"};
+  std::vector<Dwell> dwells;    ///< one or two, in the order of the crank's turn
   std::optional<double> apart;  ///< of two: by how much their levels differ at least
-  double swing_min = 0;         ///< of the output over the turn
+  double swing_min = 0;         ///< of the output over the turn; a slider has one above 0
   DwellConstraints constraints;
   Solve solve;
   WarningLimits warnings{};
@@ -49,6 +51,9 @@ struct DwellProblem {
   std::optional<DesignLayers> layers{};
   std::optional<Raster> raster{};
 };
+
+/// Whether the output is the displacement of a slider.
+bool slides(const DwellProblem& problem);
 
 template <>
 struct KindTraits<DwellProblem> {
@@ -64,8 +69,8 @@ struct Result;
 struct Run;
 
 /// Designs whose half band, the greatest deviation of the output from its level in a dwell, is
-/// least. `Design::error.max` is the half band, radians; `Design::crank_angles` holds where each
-/// dwell begins and ends.
+/// least. `Design::error.max` is the half band, radians or a length; `Design::crank_angles` holds
+/// where each dwell begins and ends.
 Result solve(const DwellProblem& problem, const Run& run);
 
 }  // namespace cognate::problems

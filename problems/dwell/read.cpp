@@ -15,20 +15,17 @@ namespace cognate::problems {
 namespace reading {
 namespace {
 
-constexpr std::string_view kDwell = "dwell", kOutput = "output", kApart = "apart_deg",
-                           kSwing = "swing_deg_min";
+constexpr std::string_view kDwell = "dwell", kOutput = "output";
 
 constexpr NumberRule kPartOfTurn{[](double x) { return x > 0 && x < 360; },
                                  "an angle in degrees above 0 and below 360"};
 constexpr NumberRule kBand{[](double x) { return x >= 1e-12 && x <= 180; },
                            "an angle in degrees from 1e-12 to 180"};
 
-/// The values of `mechanism.type` of a dwell, whose output is an angle.
+/// The values of `mechanism.type` of a dwell.
 std::vector<std::string_view> dwell_types() {
   std::vector<std::string_view> words;
-  for (const auto& [word, meaning] : function_topology_words()) {
-    if (!ends_in_slider(function_topologies(word).front())) words.push_back(word);
-  }
+  for (const TopologyWord& topology : function_topology_words()) words.push_back(topology.word);
   words.push_back(kChainWord);
   return words;
 }
@@ -37,7 +34,13 @@ std::optional<double> in_radians(const std::optional<double>& degrees) {
   return degrees ? std::optional(radians(*degrees)) : std::nullopt;
 }
 
-Dwell read_dwell(TableReader& table) {
+/// An output under `key`, a length, or in degrees under its name of angles.
+std::optional<double> read_output_amount(TableReader& table, bool slides, std::string_view length,
+                                         std::string_view angle, const NumberRule& angles) {
+  return slides ? table.number(length, kErrorScale) : in_radians(table.number(angle, angles));
+}
+
+Dwell read_dwell(TableReader& table, bool slides) {
   constexpr std::string_view kOver = "over_deg";
   Dwell dwell;
   if (!table.has(kOver)) {
@@ -45,7 +48,8 @@ Dwell read_dwell(TableReader& table) {
   }
   dwell.over = radians(table.number(kOver, kPartOfTurn).value_or(0));
   dwell.from = in_radians(table.number("from_deg", kAngle));
-  dwell.half_band_max = in_radians(table.number("half_band_deg_max", kBand));
+  dwell.half_band_max =
+      read_output_amount(table, slides, "half_band_max", "half_band_deg_max", kBand);
   table.finish();
   return dwell;
 }
@@ -63,12 +67,13 @@ bool overlap(const Dwell& a, const Dwell& b) {
 }
 
 void read_apart(TableReader& target, DwellProblem& problem) {
-  problem.apart = in_radians(target.number(kApart, kPartOfTurn));
+  const std::string_view key = slides(problem) ? "apart" : "apart_deg";
+  problem.apart = read_output_amount(target, slides(problem), key, key, kPartOfTurn);
   const bool two = problem.dwells.size() == 2;
-  if (target.has(kApart) && !two) {
-    target.fault(kApart, "is given with one dwell; remove it, or give two");
-  } else if (two && !target.has(kApart)) {
-    target.fault(kApart,
+  if (target.has(key) && !two) {
+    target.fault(key, "is given with one dwell; remove it, or give two");
+  } else if (two && !target.has(key)) {
+    target.fault(key,
                  "is missing; expected by how much the output differs between the two dwells, "
                  "which could be one without it");
   }
@@ -89,13 +94,26 @@ void check_dwells(TableReader& target, const DwellProblem& problem) {
 }
 
 void read_dwell_target(TableReader& target, DwellProblem& problem) {
+  const bool is_slider = slides(problem);
   for (TableReader& table : target.tables(kDwell, {1, 2, "dwells"})) {
-    problem.dwells.push_back(read_dwell(table));
+    problem.dwells.push_back(read_dwell(table, is_slider));
   }
   check_dwells(target, problem);
   read_apart(target, problem);
-  problem.swing_min = radians(target.number(kSwing, kPartOfTurn).value_or(0));
-  problem.output = read_output_link(target, problem.mechanism);
+  constexpr std::string_view kStroke = "stroke_min";
+  problem.swing_min =
+      read_output_amount(target, is_slider, kStroke, "swing_deg_min", kPartOfTurn).value_or(0);
+  if (is_slider && !target.has(kStroke)) {
+    target.fault(kStroke,
+                 "is missing; expected the least stroke of the slider, which says how large the "
+                 "mechanism is");
+  }
+}
+
+Wanted wanted_output(const DwellProblem& problem) {
+  const auto& [from, to] = problem.output;
+  if (slides(problem)) return {kOutput, {to}, true};
+  return {kOutput, {from, to}};
 }
 
 void read_dwell_constraints(TableReader& constraints, DwellConstraints& limits) {
@@ -106,6 +124,10 @@ void read_dwell_constraints(TableReader& constraints, DwellConstraints& limits) 
 
 }  // namespace
 }  // namespace reading
+
+bool slides(const DwellProblem& problem) {
+  return problem.output[0] == guide_name(problem.output[1]);
+}
 
 bool KindTraits<DwellProblem>::takes(reading::TableReader& document) {
   return document.has_table("target") && document.table("target").contains(reading::kDwell);
@@ -123,14 +145,15 @@ DwellProblem KindTraits<DwellProblem>::read(reading::TableReader& document,
       return problem;
     }
   }
+  const auto known = function_topologies(problem.mechanism);
+  problem.output = read_output(tables.target, problem.mechanism, known);
   read_dwell_target(tables.target, problem);
-  problem.topologies = read_topologies(document, tables, function_topologies(problem.mechanism),
-                                       {kOutput, {problem.output.begin(), problem.output.end()}});
+  problem.topologies = read_topologies(document, tables, known, wanted_output(problem));
   read_dwell_constraints(tables.constraints, problem.constraints);
   read_chain_solve(tables.solve, problem.solve);
   read_dwell_raster(document, problem);
   problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies));
-  problem.tolerances = read_tolerances(document, {.unit = "deg"});
+  problem.tolerances = read_tolerances(document, {.unit = slides(problem) ? "" : "deg"});
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
     table->finish();

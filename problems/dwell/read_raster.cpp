@@ -51,8 +51,10 @@ void read_dwell_raster(TableReader& document, DwellProblem& problem) {
   if (!document.contains(kDwellRaster)) return;
   const bool is_one = problem.topologies.size() == 1;
   const std::string_view refusal =
-      !is_one ? "is given with a type of several topologies; expected a single one, as \"watt-1\", "
-                "\"stephenson-3\" or \"chain\""
+      slides(problem) ? "is given with a slider as output; a raster is for outputs that turn"
+      : !is_one
+          ? "is given with a type of several topologies; expected a single one, as \"watt-2\", "
+            "\"stephenson-3\" or \"chain\""
       : !has_size(problem.topologies.front())
           ? "is given without a length of the crank, which says how large the mechanism is; "
             "expected its length, bounds.length, or bounds by the name of the crank's pin"

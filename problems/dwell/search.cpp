@@ -46,20 +46,19 @@ DwellChecks checks_of(const DwellSpace& space, const DwellDesign& design, double
   checks.transmission = CosineScan(space, design.chain).extremes({0, kTurn}, violation);
   const std::vector<double> side(design.chain.side.begin(), design.chain.side.end());
   FreeChain chain(space, design.chain.parameters, side);
-  Vec2d reference;
+  chain.at(0);
+  const WantedOutput reference = space.output(chain);
   const auto output = [&](double crank) {
-    const Vec2d* at = chain.at(crank);
-    const Vec2d way = at[space.to] - at[space.from];
-    if (reference == Vec2d{}) reference = way;
-    return relative_angle(way, reference);
+    chain.at(crank);
+    return space.error(chain, reference);
   };
   double least = std::numeric_limits<double>::infinity(), greatest = -least;
   for (int i = 0; i < kOutputSamples; ++i) {
-    const double crank = kTurn * i / kOutputSamples, angle = output(crank);
-    if (angle < least) checks.lowest = crank;
-    if (angle > greatest) checks.highest = crank;
-    least = std::min(least, angle);
-    greatest = std::max(greatest, angle);
+    const double crank = kTurn * i / kOutputSamples, here = output(crank);
+    if (here < least) checks.lowest = crank;
+    if (here > greatest) checks.highest = crank;
+    least = std::min(least, here);
+    greatest = std::max(greatest, here);
   }
   constexpr double kStep = kTurn / kOutputSamples;
   const auto refined = [&](double crank, double sense) {
@@ -78,26 +77,26 @@ DwellChecks checks_of(const DwellSpace& space, const DwellDesign& design, double
 /// error, a small part of the half band, counts as such.
 double missing_distance(const DwellSpace& space, const Fitted& here) {
   const auto& dwells = space.problem->dwells;
-  if (!space.problem->apart || dwells.size() != 2) return 0;
+  if (!space.apart || dwells.size() != 2) return 0;
   constexpr int kSamples = 180;
   constexpr double kSampleError = 4e-3;
   const std::vector<double> side(here.design.chain.side.begin(), here.design.chain.side.end());
   FreeChain chain(space, here.design.chain.parameters, side);
   std::array<double, 2> middles;
-  Vec2d reference;
+  WantedOutput reference;
   for (std::size_t k = 0; k < 2; ++k) {
     double least = std::numeric_limits<double>::infinity(), greatest = -least;
     for (int i = 0; i <= kSamples; ++i) {
-      const Vec2d* at = chain.at(here.design.start[k] + dwells[k].over * i / kSamples);
-      const Vec2d way = at[space.to] - at[space.from];
-      if (k == 0 && i == 0) reference = way;
-      least = std::min(least, relative_angle(way, reference));
-      greatest = std::max(greatest, relative_angle(way, reference));
+      chain.at(here.design.start[k] + dwells[k].over * i / kSamples);
+      if (k == 0 && i == 0) reference = space.output(chain);
+      const double output = space.error(chain, reference);
+      least = std::min(least, output);
+      greatest = std::max(greatest, output);
     }
     middles.at(k) = 0.5 * (least + greatest);
   }
   const double distance = std::abs(middles[1] - middles[0]) - kSampleError * here.half_band;
-  return std::max(0.0, *space.problem->apart - distance);
+  return std::max(0.0, *space.apart - distance);
 }
 
 /// Minimax fits from `start`, constraints asked anew where they are extreme, until none is violated
@@ -109,7 +108,7 @@ Fitted fitted(const DwellSpace& space, const DwellDesign& start, int nodes, int 
   double violation = 0;
   DwellChecks checks = checks_of(space, start, violation);
   std::vector<TransmissionCheck> watched = checks.transmission;
-  double apart = space.problem->apart.value_or(0);
+  double apart = space.apart.value_or(0);
   double unit = 0.01;
   for (int exchange = 0; exchange < exchanges; ++exchange) {
     checks.transmission = watched;

@@ -14,7 +14,7 @@ namespace cognate::problems {
 struct DwellMinimum {
   const DwellSpace* space = nullptr;
   DwellDesign design;
-  double half_band = 0;  ///< radians
+  double half_band = 0;  ///< radians, or units of the space
   double violation = 0;  ///< of the constraints, as they are scaled in the model
 };
 

@@ -80,7 +80,7 @@ Result find_dwells(const DwellProblem& problem, const std::vector<DwellSpace>& s
   return result;
 }
 
-/// The angle of the output in each dwell from the middle of its band there.
+/// The output in each dwell from the middle of its band there.
 std::optional<ToleranceQuestion> dwell_question(const DwellProblem& problem, const Design& design) {
   constexpr int kSteps = 45;
   std::vector<double> angles;
@@ -89,17 +89,21 @@ std::optional<ToleranceQuestion> dwell_question(const DwellProblem& problem, con
       angles.push_back(design.crank_angles[k] + problem.dwells[k / 2].over * i / kSteps);
     }
   }
-  auto asked = output_question(design.mechanism, problem.output, angles);
+  auto asked =
+      slides(problem)
+          ? displacement_question(design.mechanism, problem.output[1],
+                                  guide_of(design.mechanism, problem.output[1])->direction, angles)
+          : output_question(design.mechanism, problem.output, angles);
   if (!asked) return std::nullopt;
   const auto& way = asked->way;
   auto& output = asked->question.quantities.front();
   for (std::size_t begin = 0; begin < way.size(); begin += kSteps + 1) {
     double least = 0, greatest = 0;
     for (std::size_t i = 0; i <= kSteps; ++i) {
-      const double angle = deviation(ResponseType::angle, way[begin + i], way[begin]).x;
-      least = std::min(least, angle);
-      greatest = std::max(greatest, angle);
-      output.offset.push_back(angle);
+      const double here = deviation(output.response.type, way[begin + i], way[begin]).x;
+      least = std::min(least, here);
+      greatest = std::max(greatest, here);
+      output.offset.push_back(here);
     }
     for (std::size_t i = 0; i <= kSteps; ++i) {
       output.offset[begin + i] -= 0.5 * (least + greatest);

@@ -10,6 +10,7 @@
 #include "analysis/numbers/random.hpp"
 #include "problems/chain/output_dyad.hpp"
 #include "synthesis/chain/sweep.hpp"
+#include "synthesis/chain/transform.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -45,7 +46,8 @@ bool circles(const DwellSpace& space) {
 
 /// Whether a circle near a part of the carrier's path gives the output's dyad.
 bool hangs_on_circle(const DwellSpace& space) {
-  return space.problem->dwells.size() == 1 && ends_in_free_dyad(space) && !circles(space);
+  if (space.problem->dwells.size() != 1 || circles(space)) return false;
+  return space.slides() ? ends_in_free_slider(space) : ends_in_free_dyad(space);
 }
 
 /// A part of the turn: where it begins, the middle of the output there, and how far it deviates.
@@ -58,21 +60,17 @@ class DrawnOutput {
  public:
   DrawnOutput(const DwellSpace& space, const synthesis::ChainDesign& design) {
     const std::vector<double> side(design.side.begin(), design.side.end());
-    const synthesis::ChainView<double> view{space.lines.data(),
-                                            static_cast<int>(space.lines.size()),
-                                            design.parameters.data(), side.data()};
-    synthesis::ChainPlace<double> place;
-    Vec2d reference{1, 0};
+    FreeChain chain(space, design.parameters, side);
+    WantedOutput reference;
     for (int i = 0; i < kDrawnPositions; ++i) {
-      synthesis::place(view, unit_vector(kTurn * i / kDrawnPositions), place);
-      const Vec2d way = place.at[space.to] - place.at[space.from];
-      if (i == 0) reference = way;
-      angles_[sample_at(i)] = relative_angle(way, reference);
+      chain.at(kTurn * i / kDrawnPositions);
+      if (i == 0) reference = space.output(chain);
+      outputs_[sample_at(i)] = space.error(chain, reference);
     }
   }
 
   double swing() const {
-    const auto [least, greatest] = std::ranges::minmax(angles_);
+    const auto [least, greatest] = std::ranges::minmax(outputs_);
     return greatest - least;
   }
 
@@ -80,15 +78,15 @@ class DrawnOutput {
   Window window(int first, int count, double start) const {
     double least = kInfinite, greatest = -kInfinite;
     for (int i = 0; i < count; ++i) {
-      least = std::min(least, angles_[sample_at(first + i)]);
-      greatest = std::max(greatest, angles_[sample_at(first + i)]);
+      least = std::min(least, outputs_[sample_at(first + i)]);
+      greatest = std::max(greatest, outputs_[sample_at(first + i)]);
     }
-    const bool known = std::isfinite(angles_[0]);
+    const bool known = std::isfinite(outputs_[0]);
     return {start, 0.5 * (least + greatest), known ? 0.5 * (greatest - least) : kInfinite};
   }
 
  private:
-  std::array<double, kDrawnPositions> angles_{};
+  std::array<double, kDrawnPositions> outputs_{};
 };
 
 class DwellDraw {
@@ -113,7 +111,11 @@ class DwellDraw {
         window_.clear();
         for (int k = 0; k < count; ++k) window_.push_back(drawn->curve[sample_at(begin + k)]);
         const CircleNear circle = circle_near(window_);
-        if (circle.deviation < 6 * least_) hang_output(*drawn, circle, begin);
+        if (space_.slides()) {
+          if (circle.deviation < least_) hang_slider(carrier.space(), *drawn, circle, begin);
+        } else if (circle.deviation < 6 * least_) {
+          hang_output(*drawn, circle, begin);
+        }
         if (fixed_start()) break;
       }
     }
@@ -139,6 +141,27 @@ class DwellDraw {
     }
   }
 
+  /// The pin stands still in the circle's centre, whatever the direction of the guide. A carrier
+  /// whose crank may begin anywhere is turned in place of a guide whose direction is given.
+  void hang_slider(const ChainSpace& carrier, const DrawnChain& drawn, const CircleNear& circle,
+                   int begin) {
+    const bool turns = !fixed_start() && has_free_carrier(space_);
+    const auto given = guide_direction(space_);
+    for (int i = 0; i < kOutputs; ++i) {
+      const double turned = turns ? uniform(random_, 0, kTurn) : 0;
+      const Vec2d turn = unit_vector(turned);
+      synthesis::ChainDesign chain = drawn.design;
+      synthesis::transform(carrier.lines, turn, {}, chain.parameters);
+      const Vec2d guide = unit_vector(given.value_or(uniform(random_, -kPi / 2, kPi / 2)));
+      const CircleNear moved{turn * circle.centre, circle.radius, circle.deviation};
+      const Vec2d point = turn * drawn.curve[sample_at(begin)];
+      const auto whole = with_slider(space_, chain, guide, moved, point);
+      if (!whole) continue;
+      const auto& from = space_.problem->dwells[0].from;
+      take(*whole, {from.value_or(kTurn * begin / kDrawnPositions + turned)}, circle.deviation);
+    }
+  }
+
   void draw_whole() {
     for (int i = 0; i < kChains; ++i) {
       const auto drawn = draw(space_, random_);
@@ -159,7 +182,7 @@ class DwellDraw {
     const auto& dwells = space_.problem->dwells;
     const auto first = windows(output, dwells.front()), second = windows(output, dwells.back());
     constexpr double kApartShare = 0.5;
-    const double apart = kApartShare * space_.problem->apart.value_or(0);
+    const double apart = kApartShare * space_.apart.value_or(0);
     Windows best;
     for (const Window& one : first) {
       if (dwells.size() == 1 && one.half_band < best.worst) best = {{one.start}, one.half_band};
@@ -203,7 +226,7 @@ class DwellDraw {
     }
     constexpr double kAllowance = 0.1, kSwingShare = 0.8;
     if (!(cosine < std::min(space_.cosine_limit + kAllowance, 0.999))) return;
-    if (DrawnOutput(space_, chain).swing() < kSwingShare * space_.problem->swing_min) return;
+    if (DrawnOutput(space_, chain).swing() < kSwingShare * space_.swing_min) return;
     least_ = deviation;
     best_ = {chain, std::move(starts)};
   }

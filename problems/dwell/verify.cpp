@@ -24,7 +24,7 @@ constexpr int kGoldenSteps = 40;
 /// Crank angles reported of a dwell, for which its mean square counts in the sum of squares.
 constexpr int kEnds = 2;
 
-/// The output over a part of the turn, radians.
+/// The output over a part of the turn, radians or a length.
 struct OutputRange {
   double least = kInfinity, greatest = -kInfinity;
   double square = 0;  ///< mean, of the deviation from the middle
@@ -34,81 +34,105 @@ struct OutputRange {
   bool known() const { return std::isfinite(least) && std::isfinite(greatest); }
 };
 
-/// The direction of the output along the crank.
+/// The output along the crank: the direction of a link, or the displacement of a slider.
 class Output {
  public:
   Output(const DwellProblem& problem, const NamedMechanism& mechanism)
       : motion_(mechanism.mechanism) {
-    for (std::size_t i = 0; i < 2; ++i) {
-      points_[i] = std::ranges::find(mechanism.points, problem.output[i], &NamedPoint::name)->at;
+    if (slides(problem)) guide_ = guide_of(mechanism, problem.output[1]);
+    for (std::size_t i = guide_ ? 1 : 0; i < 2; ++i) {
+      points_.at(i) =
+          std::ranges::find(mechanism.points, problem.output.at(i), &NamedPoint::name)->at;
     }
   }
 
   /// Angles are counted from the direction `reference`, the first within half a turn of it.
   OutputRange over(double from, double to, int samples, const Vec2d& reference) {
     crank_.clear();
-    angle_.clear();
+    output_.clear();
     for (int i = 0; i < samples; ++i) {
       crank_.push_back(from + (to - from) * i / (samples - 1));
-      const Vec2d way = way_at(crank_.back());
-      const double angle = relative_angle(way, reference);
-      angle_.push_back(i == 0 ? angle
-                              : angle_.back() + std::remainder(angle - angle_.back(), kTurn));
+      const double here = difference(way_at(crank_.back()), reference);
+      const bool follows = i > 0 && !guide_;
+      output_.push_back(follows ? output_.back() + std::remainder(here - output_.back(), kTurn)
+                                : here);
     }
     return range();
   }
 
+  /// The direction of the output; of a slider its displacement as x.
   Vec2d way_at(double crank) {
     if (!motion_.move_to(crank)) return {std::numeric_limits<double>::quiet_NaN(), 0};
-    return motion_.point(points_[1])[0] - motion_.point(points_[0])[0];
+    const Vec2d to = motion_.point(points_[1])[0];
+    if (guide_) return {dot(guide_->direction, to - guide_->through), 0};
+    return to - motion_.point(points_[0])[0];
   }
 
  private:
+  double difference(const Vec2d& way, const Vec2d& reference) const {
+    return guide_ ? way.x - reference.x : relative_angle(way, reference);
+  }
+
   OutputRange range() {
     OutputRange range;
-    for (const double angle : angle_) {
-      if (!std::isfinite(angle)) return {};
+    for (const double output : output_) {
+      if (!std::isfinite(output)) return {};
     }
-    for (std::size_t i = 0; i < angle_.size(); ++i) {
+    for (std::size_t i = 0; i < output_.size(); ++i) {
       range.least = std::min(range.least, -extreme(i, -1));
       range.greatest = std::max(range.greatest, extreme(i, 1));
     }
-    for (const double angle : angle_) {
-      range.square += (angle - range.middle()) * (angle - range.middle()) / double(angle_.size());
+    for (const double output : output_) {
+      range.square +=
+          (output - range.middle()) * (output - range.middle()) / double(output_.size());
     }
     return range;
   }
 
-  /// The greatest of sense·angle about sample i, refined where it is greater than its neighbours.
+  /// The greatest of sense·output about sample i, refined where it is greater than its neighbours.
   double extreme(std::size_t i, double sense) {
-    const double here = sense * angle_[i];
-    const std::size_t before = i > 0 ? i - 1 : i, after = std::min(i + 1, angle_.size() - 1);
-    if (sense * angle_[before] > here || sense * angle_[after] > here) return here;
+    const double here = sense * output_[i];
+    const std::size_t before = i > 0 ? i - 1 : i, after = std::min(i + 1, output_.size() - 1);
+    if (sense * output_[before] > here || sense * output_[after] > here) return here;
     const Vec2d way = way_at(crank_[i]);
-    const auto lowered = [&](double crank) { return -sense * relative_angle(way_at(crank), way); };
+    const auto lowered = [&](double crank) { return -sense * difference(way_at(crank), way); };
     const auto found = golden_section(lowered, crank_[before], crank_[after], kGoldenSteps);
     return here + std::max(0.0, -found.least());
   }
 
   MechanismMotion<0> motion_;
-  std::array<Attached<double>, 2> points_;
-  std::vector<double> crank_, angle_;
+  std::array<Attached<double>, 2> points_{};  ///< of a slider the second alone: its pin
+  std::optional<Guide<double>> guide_;        ///< of a slider
+  std::vector<double> crank_, output_;
 };
 
-void check_least(const std::string& name, double value, double least, Design& design) {
-  design.constraints.push_back(
-      {name, degrees(value), degrees(least), value >= least - kCheckTolerance});
-}
+/// What names, units and tolerances of outputs are: those of angles, or those of displacements,
+/// which are relative to the stroke.
+struct OutputWords {
+  bool slides;
+  double size;  ///< of what a check counts relative to
 
-void check_band(const Dwell& dwell, std::size_t k, double half_band, Design& design) {
-  const auto& most = dwell.half_band_max;
-  if (!most) return;
-  design.constraints.push_back({fmt::format("dwell[{}].half_band_deg_max", k + 1),
-                                degrees(half_band), degrees(*most),
-                                half_band <= *most + kCheckTolerance});
-}
+  explicit OutputWords(const DwellProblem& problem)
+      : slides(problems::slides(problem)), size(slides ? problem.swing_min : 1) {}
 
-/// The dwells, with the direction `reference` as the zero of angles.
+  double shown(double output) const { return slides ? output : degrees(output); }
+  const char* of(const char* displacement, const char* angle) const {
+    return slides ? displacement : angle;
+  }
+  void check_least(const std::string& name, double value, double least, Design& design) const {
+    design.constraints.push_back(
+        {name, shown(value), shown(least), value >= least - kCheckTolerance * size});
+  }
+  void check_band(const Dwell& dwell, std::size_t k, double half_band, Design& design) const {
+    const auto& most = dwell.half_band_max;
+    if (!most) return;
+    design.constraints.push_back(
+        {fmt::format("dwell[{}].{}", k + 1, of("half_band_max", "half_band_deg_max")),
+         shown(half_band), shown(*most), half_band <= *most + kCheckTolerance * size});
+  }
+};
+
+/// The dwells, with the output `reference` as the zero.
 std::vector<OutputRange> measure_dwells(const DwellProblem& problem,
                                         const std::vector<double>& starts, const Vec2d& reference,
                                         Output& output, Design& design) {
@@ -134,19 +158,24 @@ void measure_output(const DwellProblem& problem, const NamedMechanism& mechanism
   Output output(problem, mechanism);
   const Vec2d reference = output.way_at(starts[0]);
   const OutputRange turn = output.over(0, kTurn, kTurnSamples, reference);
-  const double swing = std::min(kTurn, turn.greatest - turn.least);
+  const OutputWords words(problem);
+  const double whole = turn.greatest - turn.least;
+  const double swing = words.slides ? whole : std::min(kTurn, whole);
   const auto dwells = measure_dwells(problem, starts, reference, output, design);
   auto& quantities = design.metrics.quantities;
-  quantities.push_back({"half_band_deg", degrees(design.error.max)});
-  quantities.push_back({"swing_deg", degrees(swing)});
-  if (problem.swing_min > 0) check_least("swing_deg_min", swing, problem.swing_min, design);
+  quantities.push_back({words.of("half_band", "half_band_deg"), words.shown(design.error.max)});
+  quantities.push_back({words.of("stroke", "swing_deg"), words.shown(swing)});
+  if (problem.swing_min > 0) {
+    words.check_least(words.of("stroke_min", "swing_deg_min"), swing, problem.swing_min, design);
+  }
   for (std::size_t k = 0; k < dwells.size(); ++k) {
-    check_band(problem.dwells[k], k, dwells[k].half_band(), design);
+    words.check_band(problem.dwells[k], k, dwells[k].half_band(), design);
   }
   if (!problem.apart || dwells.size() < 2) return;
   const double apart = std::abs(dwells[1].middle() - dwells[0].middle());
-  quantities.push_back({"apart_deg", degrees(apart)});
-  check_least("apart_deg", apart, *problem.apart, design);
+  const char* name = words.of("apart", "apart_deg");
+  quantities.push_back({name, words.shown(apart)});
+  words.check_least(name, apart, *problem.apart, design);
 }
 
 }  // namespace

@@ -12,17 +12,23 @@ namespace reading {
 namespace {
 
 TableWriter dwell_target_writer(const DwellProblem& problem) {
+  const bool is_slider = slides(problem);
+  const auto set_output = [&](TableWriter& table, const char* length, const char* angle,
+                              const std::optional<double>& value) {
+    is_slider ? table.set(length, value) : table.set_deg(angle, value);
+  };
   Array dwells;
   for (const Dwell& dwell : problem.dwells) {
     TableWriter table;
-    table.set_deg("over_deg", dwell.over)
-        .set_deg("from_deg", dwell.from)
-        .set_deg("half_band_deg_max", dwell.half_band_max);
+    table.set_deg("over_deg", dwell.over).set_deg("from_deg", dwell.from);
+    set_output(table, "half_band_max", "half_band_deg_max", dwell.half_band_max);
     dwells.push_back(node(table.take()));
   }
   TableWriter table;
-  table.set("output", problem.output).set("dwell", dwells).set_deg("apart_deg", problem.apart);
-  if (problem.swing_min != 0) table.set_deg("swing_deg_min", problem.swing_min);
+  is_slider ? table.set("output", problem.output[1]) : table.set("output", problem.output);
+  table.set("dwell", dwells);
+  set_output(table, "apart", "apart_deg", problem.apart);
+  if (problem.swing_min != 0) set_output(table, "stroke_min", "swing_deg_min", problem.swing_min);
   return table;
 }
 
@@ -48,7 +54,7 @@ reading::Written KindTraits<DwellProblem>::written(const DwellProblem& problem) 
           .set("warnings", warnings_writer(problem.warnings))
           .append(raster_table(problem.raster))
           .append(layers_table(problem.layers))
-          .append(tolerance_table(problem.tolerances, true))
+          .append(tolerance_table(problem.tolerances, !slides(problem)))
           .take();
   return all;
 }

@@ -1,4 +1,4 @@
-"""Chains with sliders: coupler curves, and functions whose output is a slider, against closures
+"""Chains with sliders: coupler curves, functions and dwells whose output is a slider, against closures
 computed here point by point.
 
 Run as: slider_chain_test.py PROGRAM LIBRARY, the built program and the folder of library problems.
@@ -150,6 +150,62 @@ starts = 256
             self.assertAlmostEqual(chain.places(0.3)["Q"].real, 40, delta=1e-9)
 
 
+class Dwells(unittest.TestCase):
+    """Half bands, strokes and levels by dense samples."""
+
+    def check(self, result):
+        self.assertEqual(result["status"], "solved", result["notes"])
+        problem = result["problem"]
+        target, (low, high) = problem["target"], problem["constraints"]["transmission_angle_deg"]
+        for design in result["designs"]:
+            chain, metrics, pin = Chain(design["mechanism"]), design["metrics"], target["output"]
+            turn = [displacement(chain, pin, angle) for angle in turned(7200, 0, 2 * math.pi)]
+            stroke = max(turn) - min(turn)
+            self.assertAlmostEqual(stroke, metrics["stroke"], delta=1e-5 * stroke)
+            self.assertGreaterEqual(metrics["stroke"], target["stroke_min"] * (1 - 1e-7))
+            bands, middles = [], []
+            for k, dwell in enumerate(target["dwell"]):
+                start, over = math.radians(design["crank_deg"][2 * k]), math.radians(dwell["over_deg"])
+                there = [displacement(chain, pin, angle) for angle in turned(7200, start, start + over)]
+                bands.append((max(there) - min(there)) / 2)
+                middles.append((max(there) + min(there)) / 2)
+            self.assertAlmostEqual(max(bands), metrics["half_band"], delta=1e-3 * max(bands) + 1e-9 * stroke)
+            self.assertEqual(metrics["half_band"], design["error"]["max"])
+            if len(middles) == 2:
+                self.assertAlmostEqual(abs(middles[1] - middles[0]), metrics["apart"], delta=1e-5 * stroke)
+                self.assertGreaterEqual(metrics["apart"], target["apart"] - 1e-5 * stroke)
+            acute = min(chain.transmission(chain.places(angle)) for angle in turned(1500, 0, 2 * math.pi))
+            self.assertGreaterEqual(acute, max(low, 180 - high) - 1e-5)
+        return result["designs"][0]["metrics"]
+
+    def test_press(self):
+        text = (LIBRARY / "dwell" / "press-with-dwell.toml").read_text()
+        metrics = self.check(solved(text + "\n[solve]\nstarts = 256\n"))
+        self.assertLess(metrics["half_band"], 0.05)
+
+    def test_two_dwells_of_a_chain_with_a_given_guide(self):
+        metrics = self.check(solved("""kind = "function-generation"
+[target]
+dwell = [{ over_deg = 40 }, { over_deg = 40 }]
+apart = 30
+stroke_min = 40
+output = "Q"
+[mechanism]
+type = "chain"
+crank = { at = "A", pin = "B" }
+pivot = [{ name = "A", at = [3, 1] }, { name = "D" }]
+dyad = [{ joins = ["B", "D"], new = "C" },
+        { type = "RRP", joins = "E", new = "Q", slide = { direction_deg = 90, offset = "free" } }]
+point = [{ name = "E", on = ["B", "C"] }]
+[constraints]
+transmission_angle_deg = [25, 155]
+[solve]
+starts = 192
+designs = 2
+"""))
+        self.assertLess(metrics["half_band"], 2)
+
+
 class Paths(unittest.TestCase):
     """Coupler curves of planted chains with sliders, with noise."""
 
@@ -254,6 +310,29 @@ rms_error_max = 1
             with self.subTest(new=new):
                 self.assertIn(old, self.FILE)
                 done = command(self.FILE.replace(old, new), "check")
+                self.assertNotEqual(done.returncode, 0, "accepted")
+                for word in words:
+                    self.assertIn(word, done.stdout + done.stderr)
+
+    def test_faults_of_dwells(self):
+        sound = """kind = "function-generation"
+[target]
+dwell = [{ over_deg = 40, half_band_max = 1 }]
+stroke_min = 40
+[mechanism]
+type = "watt-2-slider"
+"""
+        self.assertEqual(command(sound, "check").returncode, 0)
+        for old, new, *words in (("stroke_min = 40", "", "stroke_min", "missing"),
+                                 ("stroke_min = 40", "stroke_min = -4", "stroke_min"),
+                                 ("stroke_min = 40", "stroke_min = 40\nswing_deg_min = 40", "swing_deg_min"),
+                                 ("half_band_max", "half_band_deg_max", "half_band_max"),
+                                 ("stroke_min = 40", 'stroke_min = 40\noutput = "C"', "slider", "chain"),
+                                 ("[mechanism]", "[raster]\nlength = 1\n[mechanism]", "raster", "slider"),
+                                 ("half_band_max = 1 }", "half_band_max = 1 }, { over_deg = 9 }", "apart")):
+            with self.subTest(new=new):
+                self.assertIn(old, sound)
+                done = command(sound.replace(old, new), "check")
                 self.assertNotEqual(done.returncode, 0, "accepted")
                 for word in words:
                     self.assertIn(word, done.stdout + done.stderr)

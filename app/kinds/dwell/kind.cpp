@@ -17,14 +17,21 @@ constexpr Entry kDwellKeys[] = {
     {"target.dwell.half_band_deg_max", "the most deviation of the output from its middle there"},
     {"target.apart_deg", "two dwells: by how much the output differs between them at least"},
     {"target.swing_deg_min", "the least swing of the output over the turn"},
-    {"target.output", "[\"G\", \"F\"] (default): the output's angle is that from G to F"},
+    {"target.output",
+     "[\"G\", \"F\"] (default): the output's angle is that from G to F; of a chain also the name "
+     "of "
+     "a slider"},
+    {"target.stroke_min", "of a slider: its least stroke; also apart and dwell.half_band_max"},
     {"mechanism.type",
-     "\"six-bar\" (default), \"stephenson-3\", \"watt-2\", or \"chain\"; parts and bounds as of "
+     "\"six-bar\" (default), \"stephenson-3\", \"watt-2\", or \"chain\"; with a slider as output "
+     "\"six-bar-slider\", \"stephenson-3-slider\", \"watt-2-slider\"; parts and bounds as of "
      "path-generation (chains)"},
     {"constraints.transmission_angle_deg", "[min, max] of every dyad over the turn"}};
 
 constexpr QuantityColumn kDwellQuantities[] = {{"half_band_deg", "half band [deg]"},
                                                {"swing_deg", "swing [deg]"},
+                                               {"half_band", "half band [length]"},
+                                               {"stroke", "stroke [length]"},
                                                {"dwell_from_deg", "from [deg]"},
                                                {"dwell_2_from_deg", "second from [deg]"},
                                                {"topology", "topology"}};
@@ -55,9 +62,7 @@ std::vector<ListSection> Kind<DwellProblem>::sections() {
     entries.push_back({problems::function_topology_words()[i].word, meanings[i]});
   }
   return {list_section("function_topologies",
-                       "topologies of functions and dwells (mechanism.type = ...); dwells take "
-                       "those without sliders",
-                       entries)};
+                       "topologies of functions and dwells (mechanism.type = ...)", entries)};
 }
 
 std::string Kind<DwellProblem>::describe(const DwellProblem& problem) {
@@ -65,8 +70,9 @@ std::string Kind<DwellProblem>::describe(const DwellProblem& problem) {
                                            problem.mechanism, angles_of(problem)));
 }
 
-ColumnChoice Kind<DwellProblem>::columns(const DwellProblem& /*problem*/) {
-  return {.error_unit = "deg", .quantities = kDwellQuantities};
+ColumnChoice Kind<DwellProblem>::columns(const DwellProblem& problem) {
+  return {.error_unit = problems::slides(problem) ? "length" : "deg",
+          .quantities = kDwellQuantities};
 }
 
 nlohmann::ordered_json Kind<DwellProblem>::target_json(const DwellProblem& /*problem*/) {
