@@ -59,7 +59,9 @@ void check_movable(TableReader& target, const ChainPathProblem& problem) {
       const auto count = static_cast<std::size_t>(parameter_count(line.line.type));
       for (std::size_t i = 0; i < count; ++i) {
         const Range& bound = line.bounds[i];
-        if (line.given[i] || std::isfinite(bound.max - bound.min)) continue;
+        const bool turns = parameter_role(line.line.type, static_cast<int>(i)) ==
+                           synthesis::ParameterRole::direction;
+        if (turns || line.given[i] || std::isfinite(bound.max - bound.min)) continue;
         return target.fault(kPlace, fmt::format("is \"similar\", but point {} has a dimension "
                                                 "without bounds; expected bounds.length, pivots "
                                                 "and point, which say how large it may be",

@@ -66,7 +66,10 @@ class FunctionDraw {
  private:
   void draw_on_circles() {
     const OutputCarrier carrier(space_, {std::acos(space_.cosine_limit), kPi});
-    for (int i = 0; i < kChains; ++i) {
+    // The best of few are of more valleys than the best of many.
+    const int chains =
+        space_.slides() ? int(std::exp(uniform(random_, 0, std::log(kChains + 1)))) : kChains;
+    for (int i = 0; i < chains; ++i) {
       const double start = uniform(random_, 0, kTurn);
       const Positions positions(space_, start);
       const auto drawn = draw(carrier.space(), positions.cranks(), random_);
@@ -93,25 +96,27 @@ class FunctionDraw {
       seen_.push_back(turn * path[i] - positions.output(i).displacement * guide);
     }
     const CircleNear circle = circle_near(seen_);
-    if (!(circle.deviation < best_inside_.error) || !slider_closes(circle, guide)) return;
+    const double error = circle.deviation / least_effect(circle, guide);
+    if (!(error < best_inside_.error)) return;
     synthesis::ChainDesign chain = drawn.design;
     synthesis::transform(carrier.lines, turn, {}, chain.parameters);
     if (const auto whole = with_slider(space_, chain, guide, circle, seen_[0])) {
-      take({*whole, start + turned}, circle.deviation);
+      take({*whole, start + turned}, error);
     }
   }
 
-  /// Whether the slider's link stays on one side of its dead points, within the limit with some
-  /// allowance.
-  bool slider_closes(const CircleNear& circle, const Vec2d& guide) const {
+  /// The least sine of the transmission angle of the slider's link: what the link is too short
+  /// moves the slider by so much more. Zero where the link does not stay on one side of its dead
+  /// points, within the limit with some allowance.
+  double least_effect(const CircleNear& circle, const Vec2d& guide) const {
     double least = kNoFit, greatest = -kNoFit;
     for (const Vec2d& point : seen_) {
-      const Vec2d link = circle.centre - point;
+      const Vec2d link = (1 / norm(circle.centre - point)) * (circle.centre - point);
       least = std::min(least, dot(guide, link));
       greatest = std::max(greatest, dot(guide, link));
-      if (!(std::abs(cross(guide, link)) < most_cosine() * norm(link))) return false;
+      if (!(std::abs(cross(guide, link)) < most_cosine())) return 0;
     }
-    return least * greatest > 0;
+    return least * greatest > 0 ? std::min(std::abs(least), std::abs(greatest)) : 0;
   }
 
   double most_cosine() const {
