@@ -1,13 +1,14 @@
 # The analysis kernel for the report pages: the same sources, compiled to WebAssembly by Clang,
 # compressed, and written as base64 text that the pages inline: COGNATE_PAGE_KERNEL for four-bars,
 # COGNATE_ANALYSIS_KERNEL for whole analyses, which reads and evaluates a problem as the program
-# does; COGNATE_CAM_KERNEL and COGNATE_GEAR_KERNEL do so for cams and gears; COGNATE_SKETCH_KERNEL
-# to search for paths. Without the toolchain they are empty: pages offer no editing, and that one
-# draws on no linkages.
+# does; COGNATE_CAM_KERNEL, COGNATE_GEAR_KERNEL and COGNATE_TRAIN_KERNEL do so for cams, gears and
+# gear trains; COGNATE_SKETCH_KERNEL to search for paths. Without the toolchain they are empty:
+# pages offer no editing, and that one draws on no linkages.
 set(COGNATE_PAGE_KERNEL "")
 set(COGNATE_ANALYSIS_KERNEL "")
 set(COGNATE_CAM_KERNEL "")
 set(COGNATE_GEAR_KERNEL "")
+set(COGNATE_TRAIN_KERNEL "")
 set(COGNATE_SKETCH_KERNEL "")
 find_program(COGNATE_WASM_CXX NAMES clang++-19 clang++)
 find_program(COGNATE_BASE64 NAMES base64)
@@ -204,4 +205,5 @@ cognate_page_kernel(analysis_kernel ${problem_reader}
 
 include("${CMAKE_CURRENT_LIST_DIR}/cams.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/gears.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/trains.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/sketch.cmake")
