@@ -41,7 +41,7 @@ function partWords(list, i, path, words) {
     const name = part.name ?? (part.names ?? part.gears ?? part.between)?.join("–") ?? part.member ?? part.on ?? i + 1;
     return [...words.slice(0, -1), `${words.at(-1)} ${name}`];
   }
-  if (typeof part === "number" && list.length === 2) return [...words, (path.includes("pivot") ? "xy" : AXES[key] ?? "xy")[i]];
+  if (typeof part === "number" && list.length === 2 && key !== "stroke") return [...words, (path.includes("pivot") ? "xy" : AXES[key] ?? "xy")[i]];
   return list.length > 1 ? [...words, String(i + 1)] : words;
 }
 

@@ -11,7 +11,7 @@ import { problemToml } from "../toml.js";
 
 export class TableEditor {
   // `page`: call, that of the kernel; hint; kept, ids of the cards that do not follow; first(), the problem of the design
-  // shown with all of it given; fields(problem); rows(before, now) of data;
+  // shown with all of it given; mayBeEmpty, where an answer may have no design; fields(problem); rows(before, now) of data;
   // checks(data); and show(data, problem), which draws everything, the design as it was found for null.
   constructor(page) {
     this.page = page;
@@ -66,7 +66,7 @@ export class TableEditor {
   #evaluate(problem) {
     try {
       const data = TableEditor.kernel.ask(this.page.call, withoutSlowTables(problem));
-      return data.faults || data.designs.length ? data : { faults: data.notes.length ? data.notes : [say("edit.no_design")] };
+      return data.faults || this.page.mayBeEmpty || data.designs.length ? data : { faults: data.notes.length ? data.notes : [say("edit.no_design")] };
     } catch {
       ProblemKernel.load().then((kernel) => { TableEditor.kernel = kernel; });
       return { faults: [say("edit.failed")] };
