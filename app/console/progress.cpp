@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "app/console/interrupt.hpp"
 #include "app/console/terminal.hpp"
@@ -19,8 +18,7 @@ constexpr auto kBarDelay = 300ms;  // a run that is over by then needs no bar
 constexpr auto kBarPeriod = 100ms;
 constexpr auto kLinePeriod = 5s;
 constexpr int kLeastBar = 6, kGreatestBar = 24;  // cells: what the words leave of the line
-constexpr double kQuiet = 2;  // seconds without news after which the time that has passed is some
-constexpr const char* kWipe = "\r\x1b[K";  // to the line's beginning, and erase to its end
+constexpr const char* kWipe = "\r\x1b[K";        // to the line's beginning, and erase to its end
 
 double share_of(std::int64_t done, std::int64_t total) {
   return total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 0;
@@ -40,22 +38,6 @@ std::string progress_bar(double share, std::string_view words, int width) {
   return fmt::format("[{:#<{}}{:.<{}}] {}", "", cells, "", width - cells, figures(done, words));
 }
 
-std::string share_words(const RunPart& part, double share, std::optional<double> rate,
-                        double passed, std::string_view best) {
-  std::vector<std::string> words;
-  if (!part.words.empty()) words.push_back(part.words);
-  const bool is_known = std::isfinite(part.end);
-  if (is_known && rate && *rate > 0) {
-    const double left = std::max(0.0, part.end - share) / *rate;
-    words.push_back(fmt::format("{} left{}", duration(left), part.end < 1 ? " of it" : ""));
-    words.push_back(fmt::format("{} %/s", rounded_rate(100 * *rate)));
-  } else if (!is_known || passed >= kQuiet) {
-    words.push_back(fmt::format("{} so far", duration(passed)));
-  }
-  if (!best.empty()) words.emplace_back(best);
-  return fmt::format("{}", fmt::join(words, ", "));
-}
-
 std::string progress_words(std::int64_t done, std::int64_t total, double rate) {
   auto text = fmt::format("{} of {} designs", grouped(done), grouped(total));
   if (rate > 0) {
@@ -66,11 +48,7 @@ std::string progress_words(std::int64_t done, std::int64_t total, double rate) {
 }
 
 Progress::Progress(bool quiet, const std::atomic<bool>& stopping, double share, std::int64_t total)
-    : stopping_(stopping),
-      terminal_(error_is_terminal()),
-      total_(total),
-      share_(share),
-      rate_estimate_(RateEstimate::Clock::now(), share) {
+    : stopping_(stopping), terminal_(error_is_terminal()), total_(total), run_(share) {
   if (!quiet) writer_ = std::thread([this] { write_until_done(); });
 }
 
@@ -95,16 +73,12 @@ Progress::~Progress() {
 
 void Progress::update(double share, double best) {
   const std::lock_guard lock(mutex_);
-  share_ = std::max(share_, std::clamp(share, 0.0, 1.0));
-  if (std::isfinite(best)) best_ = fmt::format("best {:.3g}", best);
-  rate_estimate_.mark(RateEstimate::Clock::now(), share_);
+  run_.update(share, best);
 }
 
 void Progress::enter(std::string_view words, double to) {
   const std::lock_guard lock(mutex_);
-  const auto now = RateEstimate::Clock::now();
-  part_ = {std::string(words), to, now};
-  rate_estimate_ = RateEstimate(now, share_);  // the last part says nothing of this one
+  run_.enter(words, to);
 }
 
 void Progress::update(std::int64_t done) {
@@ -125,14 +99,11 @@ void Progress::write_until_done() {
 
 std::string Progress::words() const {
   if (stopping_) return terminal_ ? "stopping; Ctrl-C ends at once" : "stopping";
-  const auto now = RateEstimate::Clock::now();
-  const auto rate = rate_estimate_.rate(now);
-  if (total_ == 0) {
-    const double passed = std::chrono::duration<double>(now - part_.begun).count();
-    return share_words(part_, share_, rate, passed, best_);
-  }
+  const auto now = RunProgress::Clock::now();
+  if (total_ == 0) return run_.words(now);
   const auto total = static_cast<double>(total_);
-  return progress_words(std::llround(share_ * total), total_, rate.value_or(0) * total);
+  return progress_words(std::llround(run_.share() * total), total_,
+                        run_.rate(now).value_or(0) * total);
 }
 
 void Progress::show(const std::string& text) {
@@ -143,12 +114,12 @@ void Progress::show(const std::string& text) {
 }
 
 std::string Progress::line() const {
-  if (!terminal_) return "cognate: " + figures(share_, words()) + '\n';
+  if (!terminal_) return "cognate: " + figures(run_.share(), words()) + '\n';
   const auto room = error_width() - 1;
   const auto said = words();
-  const auto others = static_cast<int>(progress_bar(share_, said, 0).size());
+  const auto others = static_cast<int>(progress_bar(run_.share(), said, 0).size());
   const int cells = std::clamp(static_cast<int>(room) - others, kLeastBar, kGreatestBar);
-  return kWipe + progress_bar(share_, said, cells).substr(0, room);
+  return kWipe + progress_bar(run_.share(), said, cells).substr(0, room);
 }
 
 }  // namespace cognate::app

@@ -9,16 +9,9 @@
 #include <string_view>
 #include <thread>
 
-#include "app/console/rate_estimate.hpp"
+#include "app/console/run_progress.hpp"
 
 namespace cognate::app {
-
-/// The part that a run is in.
-struct RunPart {
-  std::string words;  ///< empty while none has a name
-  double end = 1;     ///< share of the run; NaN where nobody knows when that comes
-  RateEstimate::Clock::time_point begun = RateEstimate::Clock::now();
-};
 
 /// Shows how far a run has come, how fast it comes on and how long it will still take: on a
 /// terminal as a bar that overwrites itself, elsewhere as a line every few seconds. A run that ends
@@ -60,22 +53,12 @@ class Progress {
   std::mutex mutex_;
   std::condition_variable done_;
   bool is_done_ = false;
-  double share_ = 0;
-  RunPart part_;
-  std::string best_;
-  RateEstimate rate_estimate_;
+  RunProgress run_;
   std::thread writer_;  ///< none where nothing is shown
 };
 
 /// "[#####.....]  50 %  words": the bar has `width` cells.
 std::string progress_bar(double share, std::string_view words, int width);
-
-/// "certificate, 0:20 left, 3.1 %/s, best 0.0012" of a run of which `share` is done and `rate` in a
-/// second; what is not known is left out: the rate where it is nothing, the best where it is empty.
-/// "search, 0:05 left of it" in a part that is not the last; "front, 0:07 so far" where nothing is
-/// known but that, `passed` seconds being the time in this part.
-std::string share_words(const RunPart& part, double share, std::optional<double> rate,
-                        double passed, std::string_view best);
 
 /// "1 234 000 of 10 000 000 designs, 52 000/s, 2:49 left". `rate` is in designs per second; where
 /// it is 0 it is left out with the time.

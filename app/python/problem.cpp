@@ -103,7 +103,9 @@ tl::expected<Answer, std::vector<Fault>> answer_of(const std::shared_ptr<const T
       .interrupted = &watch.interrupted(),
       .known = *std::move(known),
       .cache = app::cache_folder(),
-      .progress = [&](double share, double best) { watch.report(share, best); }};
+      .progress = [&](double share, double best) { watch.report(share, best); },
+      .phase = [&](problems::Phase begun, double to) { watch.enter(begun, to); }};
+  watch.enter(problems::Phase::search, 1);
   const auto result = std::make_shared<const typename K::Result>(K::run(problem, run));
   auto document = app::result_document(problem, *result, options.seed);
   if (!document) throw std::runtime_error("a fault of Cognate's own: " + document.error());

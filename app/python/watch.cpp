@@ -5,7 +5,10 @@
 #include <chrono>
 #include <exception>
 #include <set>
+#include <string>
 #include <thread>
+
+#include "problems/basics/names.hpp"
 
 namespace cognate::python {
 namespace {
@@ -52,8 +55,13 @@ Watch::~Watch() {
 
 void Watch::report(double share, double best) {
   const std::scoped_lock lock(guard_);
-  share_ = share;
-  best_ = best;
+  progress_.update(share, best);
+  has_news_ = true;
+}
+
+void Watch::enter(problems::Phase begun, double to) {
+  const std::scoped_lock lock(guard_);
+  progress_.enter(problems::to_string(begun), to);
   has_news_ = true;
 }
 
@@ -84,14 +92,17 @@ void Watch::listen(const py::object& progress, py::object& raised) {
   if (PyErr_CheckSignals() != 0) heed(raised);
   if (progress.is_none() || !raised.is_none()) return;
   double share = 0, best = 0;
+  std::string part, words;
   {
     const std::scoped_lock lock(guard_);
     if (!std::exchange(has_news_, false)) return;
-    share = share_;
-    best = best_;
+    share = progress_.share();
+    best = progress_.best();
+    part = progress_.part().words;
+    words = progress_.words(app::RunProgress::Clock::now());
   }
-  const auto shown =
-      py::reinterpret_steal<py::object>(PyObject_CallFunction(progress.ptr(), "dd", share, best));
+  const auto shown = py::reinterpret_steal<py::object>(
+      PyObject_CallFunction(progress.ptr(), "ddss", share, best, part.c_str(), words.c_str()));
   if (!shown) heed(raised);  // Ctrl-C may come while progress is shown
 }
 

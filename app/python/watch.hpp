@@ -6,8 +6,10 @@
 #include <atomic>
 #include <condition_variable>
 #include <functional>
-#include <limits>
 #include <mutex>
+
+#include "app/console/run_progress.hpp"
+#include "problems/linkage/result.hpp"
 
 namespace cognate::python {
 
@@ -27,12 +29,15 @@ class Watch {
 
   /// `share` in [0, 1]; `best` may be infinite.
   void report(double share, double best);
+  /// A part of the run begins, as Run::phase has it.
+  void enter(problems::Phase begun, double to);
 
   /// Runs `work` in a thread of its own while this one, which holds the interpreter's lock, gives
   /// it up and listens. The first Ctrl-C ends the computation in good order and raises nothing:
   /// what was found until then is its answer. A second one, and anything else that a handler of
   /// signals raises, and what `progress` raises is raised once `work` has ended, as is what `work`
-  /// throws. `progress`, called with a share and the best value so far, may be None.
+  /// throws. `progress`, called with a share, the best value so far, the part of the run and all
+  /// of that in words, may be None.
   void run(const py::object& progress, const std::function<void()>& work);
 
  private:
@@ -47,8 +52,7 @@ class Watch {
   std::condition_variable change_;
   bool is_done_ = false;
   bool has_news_ = false;
-  double share_ = 0;
-  double best_ = std::numeric_limits<double>::infinity();
+  app::RunProgress progress_;
 };
 
 /// Ends what is running and waits until all of it has returned: before the interpreter ends, which

@@ -39,11 +39,23 @@ const char* phase_word(RunState::Phase phase) {
   return "";
 }
 
+ordered_json part_json(const RunProgress& progress) {
+  const auto now = RunProgress::Clock::now();
+  const auto left = progress.left(now);
+  return {{"name", progress.part().words},
+          {"seconds", progress.seconds_in_part(now)},
+          {"left", left ? ordered_json(*left) : ordered_json()},
+          {"is_last", progress.part().end == 1}};
+}
+
 ordered_json to_json(const RunState& state) {
+  const RunProgress& progress = state.progress;
+  const double best = progress.best();
   return {{"run", state.run},
           {"phase", phase_word(state.phase)},
-          {"share", state.share},
-          {"best", std::isfinite(state.best) ? ordered_json(state.best) : ordered_json()},
+          {"share", progress.share()},
+          {"part", part_json(progress)},
+          {"best", std::isfinite(best) ? ordered_json(best) : ordered_json()},
           {"seconds", state.seconds},
           {"status", state.status},
           {"message", state.message},

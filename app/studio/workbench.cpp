@@ -1,7 +1,6 @@
 #include "app/studio/workbench.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -114,17 +113,19 @@ void Workbench::update(const Job& job, Change change) {
 
 void Workbench::run(const std::shared_ptr<Job>& job) {
   const auto note_progress = [&](double share, double best) {
-    update(*job, [&] {
-      state_.share = std::max(state_.share, std::clamp(share, 0.0, 1.0));
-      if (std::isfinite(best)) state_.best = best;
-    });
+    update(*job, [&] { state_.progress.update(share, best); });
   };
+  const auto note_phase = [&](problems::Phase begun, double to) {
+    update(*job, [&] { state_.progress.enter(problems::to_string(begun), to); });
+  };
+  note_phase(problems::Phase::search, 1);
   const auto status = job->computation.run({.seed = options_.seed,
                                             .threads = options_.threads,
                                             .time_limit = options_.time_limit,
                                             .interrupted = &job->stopping,
                                             .cache = cache_folder(),
-                                            .progress = note_progress});
+                                            .progress = note_progress,
+                                            .phase = note_phase});
   {
     const std::lock_guard lock(mutex_);
     if (closing_ || job_ != job) return;  // nobody waits for its page

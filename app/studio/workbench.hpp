@@ -6,7 +6,6 @@
 #include <condition_variable>
 #include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -17,6 +16,7 @@
 
 #include "app/commands/computation.hpp"
 #include "app/console/options.hpp"
+#include "app/console/run_progress.hpp"
 
 namespace cognate::app {
 
@@ -26,9 +26,7 @@ struct RunState {
 
   std::uint64_t run = 0;
   Phase phase = Phase::idle;
-  double share = 0;
-  double best =
-      std::numeric_limits<double>::infinity();  ///< objective; infinite where none is known
+  RunProgress progress{};
   double seconds = 0;
   std::string status{};      ///< of the result, once done
   std::string message{};     ///< why it failed

@@ -116,7 +116,8 @@ void refuse_four_bar_limits(TableReader& constraints, std::string_view taken) {
   for (const std::string_view key :
        {"class", "link_ratio_max", "time_ratio", "pivot_region", "clearance", "no_branch_defect",
         "no_order_defect", "no_circuit_defect", "no_extra_loop"}) {
-    if (!constraints.has(key)) continue;
+    if (!constraints.contains(key)) continue;
+    constraints.know({key});  // only now: messages offer the keys that are known
     constraints.fault(key,
                       fmt::format("is a limit of four-bars; remove it: chains take {}", taken));
   }
@@ -127,7 +128,8 @@ void read_chain_solve(TableReader& table, Solve& solve) {
   read_design_count(table, kMostSearchedDesigns, solve);
   for (const std::string_view key : {"solver", "tolerance", "loss", "loss_scale", "certify",
                                      "certify_gap", "objectives", "atlas"}) {
-    if (!table.has(key)) continue;
+    if (!table.contains(key)) continue;
+    table.know({key});
     table.fault(key,
                 "is for four-bars alone; remove it: the search of a chain takes starts and "
                 "designs");

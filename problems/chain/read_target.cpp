@@ -136,7 +136,8 @@ void read_place(TableReader& target, ChainPathProblem& problem) {
 void refuse_four_bar_keys(TableReader& target) {
   for (const std::string_view key :
        {"weights", "order", "crank_sense", "crank_reference", "poses", "method"}) {
-    if (!target.has(key)) continue;
+    if (!target.contains(key)) continue;
+    target.know({key});
     target.fault(key,
                  "is for four-bars alone; remove it: points of a chain have equal weights, "
                  "cyclic order and differences of crank angles");

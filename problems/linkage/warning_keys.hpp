@@ -22,8 +22,9 @@ inline constexpr Key<WarningLimits> kWarningKeys[] = {
         "pivot_over_target", "likewise with a fixed pivot so far from its centroid (default 10)",
         kRatio),
     key<&WarningLimits::link_ratio>("link_ratio",
-                                    "likewise with the longest link over the shortest, where the "
-                                    "target has no size (default 20)",
+                                    "likewise with the crank over the shortest other link, and "
+                                    "where the target has no size with the longest over the "
+                                    "shortest (default 20)",
                                     kRatio),
     key<&WarningLimits::condition>(
         "condition", "likewise with the condition number of an exact synthesis (default 1e4)",

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,25 @@ double longest_link(const Lengths<double>& links) {
 
 double shortest_link(const Lengths<double>& links) {
   return std::min({links.crank, links.coupler, links.rocker, links.frame});
+}
+
+/// The length of the crank over that of the shortest other link; 0 where there is no crank. How far
+/// offsets and the points of a chain are out is no length of a link.
+double crank_over_shortest(const NamedMechanism& mechanism) {
+  auto dimensions = main_dimensions(mechanism);
+  if (mechanism.type() == MechanismType::chain) {
+    dimensions.resize(dimensions.size() - mechanism.extra_points.size());
+  }
+  double crank = 0, shortest = std::numeric_limits<double>::infinity();
+  for (const Dimension& dimension : dimensions) {
+    const double length = std::abs(dimension.value);
+    if (dimension.name == "crank") {
+      crank = length;
+    } else if (dimension.name.find("offset") == std::string::npos && length > 0) {
+      shortest = std::min(shortest, length);
+    }
+  }
+  return crank / shortest;
 }
 
 /// How far the farthest pin of the frame is from a place.
@@ -135,11 +155,20 @@ class Judgement {
   }
 
   void judge_links() {
+    const double times = crank_over_shortest(design_.mechanism);
+    const bool has_stump = times > limits_.link_ratio;
+    if (has_stump) {
+      constexpr const char* kHelp =
+          "times as long as the shortest other link, whose joints then hardly have room; "
+          "bounds.length keeps links longer.";
+      add(fmt::format("The crank is {:.3g} {}", times, kHelp),
+          fmt::format("the crank is more than {:.6g} {}", limits_.link_ratio, kHelp));
+    }
     if (!four_bar_) return;
     const Lengths<double> links = lengths(*four_bar_);
     const double ratio = longest_link(links) / shortest_link(links);
     const double most = target_ ? kUnlikeLinks : limits_.link_ratio;
-    if (!is_long_ && ratio > most) {
+    if (!is_long_ && !has_stump && ratio > most) {
       constexpr const char* kHelp =
           "times as long as the shortest; constraints.link_ratio_max limits the ratio.";
       add(fmt::format("The longest link is {:.3g} {}", ratio, kHelp),

@@ -27,6 +27,7 @@ std::optional<TargetExtent> extent_of(std::span<const Vec2d> points);
 ///   5° of a dead point, where forces are a dozen times those transmitted;
 /// - a link (or a point on one) farther out, or a fixed pivot farther away, than so many times the
 ///   target is large; a target that was placed is as large as it was placed;
+/// - a crank so many times as long as another link;
 /// - of four-bars whose target has no size, links that are so unlike, and of others links a hundred
 ///   times as long as another;
 /// - a four-bar a thousandth of its longest link or less from a change point, yet not on it:

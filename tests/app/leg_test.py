@@ -6,6 +6,7 @@ Run as: leg_test.py PROGRAM LIBRARY, the built program and the folder of library
 import json
 import math
 import pathlib
+import re
 import sys
 import unittest
 
@@ -280,6 +281,12 @@ foot_speed_min = 0
                 self.assertNotEqual(done.returncode, 0, "accepted")
                 for word in words:
                     self.assertIn(word, done.stdout + done.stderr)
+
+    def test_an_unknown_limit_is_answered_with_those_of_legs(self):
+        done = command(self.FILE.replace("foot_speed_min = 0", "wobble = 1"), "check")
+        self.assertIn('unknown key "wobble" in [constraints]; allowed are', done.stderr)
+        listed = set(re.findall(r'"(\w+)"', done.stderr.split("allowed are")[1]))
+        self.assertEqual(listed, {"transmission_angle_deg", "foot_speed_min", "foot_speed_max", "layers_max"})
 
     def test_limits_that_no_leg_meets(self):
         result = solved(self.FILE.replace("duty = 0.5", "duty = 0.9\nheight_min = 400") + "[solve]\nstarts = 8\n")

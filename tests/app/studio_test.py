@@ -86,6 +86,10 @@ class StudioTest(Studios):
         studio.document("/solve", {"text": ENDLESS})
         state = studio.wait_until(lambda state: state["best"] is not None)
         self.assertEqual(state["phase"], "solving")
+        self.assertEqual((state["part"]["name"], state["part"]["is_last"]), ("search", True))
+        self.assertGreaterEqual(state["part"]["seconds"], 0)
+        left = studio.wait_until(lambda state: state["part"]["left"] is not None)["part"]["left"]
+        self.assertGreater(left, 0)
         begun = time.monotonic()
         self.assertEqual(studio.status("/stop", {}), 200)
         state = studio.wait_until(lambda state: state["phase"] != "solving")

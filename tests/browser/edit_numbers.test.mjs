@@ -1,4 +1,4 @@
-// Editing cams and gears in their reports: everything that an edited page says and draws is what the program's own
+// Editing cams, gears, trains and machines in their reports: everything that an edited page says and draws is what the program's own
 // report of the copied file says and draws. COGNATE: the program.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
@@ -22,14 +22,14 @@ function reported(name, text, command = "solve") {
   return path.join(folder, `${name}.report.html`);
 }
 
-const commandOf = (text) => (/^kind = "gear"$/m.test(text) ? "analyze" : "solve");
+const commandOf = (text) => (/^kind = "(gear|machine)"$/m.test(text) ? "analyze" : "solve");
 
 // Of extremes that come twice either place may be named.
 // What a page says in its cards and tables, and the numbers of its picture. What is of the original is not looked at.
-const CARDS = ["dimensions", "facts", "segments", "constraints", "table", "notes", "section", "curves", "problem"];
+const CARDS = ["dimensions", "facts", "members", "segments", "constraints", "table", "notes", "section", "curves", "tasks", "problem"];
 const told = (page) => page.evaluate((ids) => ({
   ...Object.fromEntries(ids.map((id) => [id, document.getElementById(id)]).filter(([, card]) => card && !card.hidden).map(([id, card]) => {
-    const texts = document.createTreeWalker(card, NodeFilter.SHOW_TEXT, (node) => (node.parentElement.closest("[hidden], #table td.wide") ? NodeFilter.FILTER_REJECT : NodeFilter.FILTER_ACCEPT));
+    const texts = document.createTreeWalker(card, NodeFilter.SHOW_TEXT, (node) => (node.parentElement.closest("[hidden], #table td.wide, .more") ? NodeFilter.FILTER_REJECT : NodeFilter.FILTER_ACCEPT));
     const all = [];
     while (texts.nextNode()) all.push(texts.currentNode.data.trim());
     return [id, all.filter(Boolean).join(" ")];
@@ -47,7 +47,8 @@ function sameTold(shown, wanted, what) {
   numbers.forEach((x, i) => assert.ok(Math.abs(x - others[i]) <= 0.11 || Math.abs(x - others[i]) <= 2e-5 * Math.abs(others[i]), `${what}: ${x} and ${others[i]}`));
 }
 
-async function edited(name, text, fields) {
+// `unlike`: what two pages need not have alike.
+async function edited(name, text, fields, unlike = []) {
   const command = commandOf(text);
   const first = await open(browser, reported(name, text, command), { motion: "reduce" });
   const { page } = first;
@@ -73,7 +74,7 @@ async function edited(name, text, fields) {
   const second = await open(browser, reported(`${name}-edited`, copy, command), { motion: "reduce" });
   const wanted = await told(second.page);
   // Of a file the program fills in defaults, and derives what is given in two ways.
-  for (const key of Object.keys(wanted).filter((id) => id !== "problem" && id !== "file")) sameTold(shown[key] ?? "", wanted[key], `${name}, ${key}`);
+  for (const key of Object.keys(wanted).filter((id) => !["problem", "file", ...unlike].includes(id))) sameTold(shown[key] ?? "", wanted[key], `${name}, ${key}`);
   await second.close();
 
   // As it was found again.
@@ -133,6 +134,67 @@ for (const [file, fields] of [
   ["gear-pair/bevel", { "teeth.0": 20, "profile_shift.1": -0.1 }],
   ["gear-pair/worm", { starts: 2, diameter_quotient: 9, friction: 0.05 }],
 ]) test(`${file}: edited gears are the program's`, () => edited(path.basename(file), library(file), fields));
+
+// A gear that meshes twice is one; of a gearbox each state follows; a train that was found has its teeth as given.
+for (const [file, fields] of [
+  ["gear-train/planetary", { "mesh.0.teeth.0": 27, "mesh.1.teeth.1": 87, "mesh.0.efficiency": 0.97, "input.0.torque": 25, "planet.0.inertia": 0.001 }],
+  ["gear-train/simpson", { "mesh.0.teeth.0": 30, "mesh.0.teeth.1": 18, "mesh.1.teeth.1": 66, "input.0.speed": 150 }],
+  ["gear-train/planetary-search", { "mesh.0.teeth.0": 25 }],
+]) test(`${file}: an edited train is the program's`, () => edited(path.basename(file), library(file), fields));
+
+// Of Simpson's gearbox the first state is (1 + k + k₂)/k, where k is of the first set and k₂ of the second; the reverse −k₂.
+test("the states of an edited gearbox are chosen, and stay edited", async () => {
+  const { page, faults, close } = await open(browser, reported("states", library("gear-train/simpson")), { motion: "reduce" });
+  await page.locator(".edit-toggle").click();
+  const field = page.locator('[data-field="mesh.1.teeth.1"]');
+  await field.fill("66");
+  await field.press("Tab");
+  const ratio = () => page.locator('#edit-values [data-row="ratio"] td').evaluateAll((cells) => cells.slice(1).map((cell) => JSON.parse(cell.dataset.value)));
+  const [was, is, second] = [62 / 28, 66 / 28, 62 / 28];
+  for (const [state, of] of [[0, (k) => (1 + k + second) / k], [3, () => -second]]) {
+    await page.locator("#designs button").nth(state).click();
+    const [before_, now] = await ratio();
+    assert.ok(Math.abs(before_ - of(was)) < 1e-6 && Math.abs(now - of(is)) < 1e-6, `${before_} and ${now}`);
+    assert.ok(await page.locator("#edit").isVisible());
+    assert.equal(await page.locator('#designs [aria-pressed="true"]').count(), 1);
+  }
+  // The front planet is one gear in two meshes.
+  await page.locator('[data-field="mesh.0.teeth.1"]').fill("18");
+  await page.locator('[data-field="mesh.0.teeth.1"]').press("Tab");
+  await page.locator('[data-edit="copy"]').click();
+  const copy = await page.locator("#edit-toml").inputValue();
+  assert.deepEqual([...copy.matchAll(/^teeth = (.*)$/gm)].map(([, teeth]) => teeth), ["[28, 18]", "[18, 66]", "[28, 17]", "[17, 62]"]);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+// Expressions, tables, a motor's line, a train of gears, a flywheel that is found, starts and stops. The picture of an edited
+// mechanism stays in its frame.
+const machine = (name) => library(`machine/${name}`).replace("../gear-train", `${LIBRARY}gear-train`);
+for (const [name, fields] of [
+  ["press", { "flywheel.fluctuation": 0.08, crank: 0.11, "motor.line.stall_torque": 950 }],
+  ["compressor", { "brake.torque": 30, "link.2.mass": 1.8, "flywheel.inertia": 1.4 }],
+  ["planetary-press", { "motor.inertia": 0.04, "motor.train.mesh.0.efficiency": 0.95 }],
+]) test(`${name}: an edited machine is the program's`, () => edited(name, machine(name), fields, ["picture"]));
+
+test("a machine that stalls is edited until it runs", async () => {
+  const { page, faults, close } = await open(browser, reported("stalled", library("machine/stall"), "analyze"), { motion: "reduce" });
+  const notes = () => page.locator("#notes-list").textContent();
+  assert.match(await notes(), /stalls/);
+  await page.locator(".edit-toggle").click();
+  await page.locator("#edit").waitFor();
+  await page.locator(".edit details").evaluateAll((all) => all.forEach((part) => { part.open = true; }));
+  const field = page.locator('[data-field="motor.line.stall_torque"]');
+  await field.fill("9000");
+  await field.press("Tab");
+  assert.doesNotMatch(await notes(), /stalls/);
+  assert.ok(await page.locator("#player").isVisible());
+  await page.locator('[data-edit="undo"]').click();
+  assert.match(await notes(), /stalls/);
+  assert.ok(await page.locator("#player").isHidden());
+  assert.deepEqual(faults, []);
+  await close();
+});
 
 test("what the program would refuse is refused in its words, and the page stays as it is", async () => {
   const { page, faults, close } = await open(browser, reported("refused", library("cam/translating-roller")), { motion: "reduce" });

@@ -72,6 +72,13 @@ test("height, path and speed of the foot are those of its mechanism, its stance 
   assert.ok(stance.height < 1.1 * metrics.flatness * metrics.stride * scale + 0.2 && Math.abs(stance.top + stance.height - line.top) < 1, "the stance is on the ground");
   assert.ok(line.left < stance.left && line.left + line.width > stance.left + stance.width);
   assert.match(await page.locator("#qualities-list").innerText(), /Minimum transmission angle at C\n27/);
+
+  // Each part of the chain stands in a row of its own name.
+  const dimensions = await page.locator("#dimensions-list").evaluate((list) => Object.fromEntries([...list.querySelectorAll("dt")].map((name) => [name.textContent, name.nextElementSibling.textContent])));
+  const links = [[`Crank ${mechanism.crank.at}–${mechanism.crank.pin}`, mechanism.crank.length],
+    ...mechanism.dyad.flatMap(({ joins: [one, other], lengths, new: made }) => [[`Link ${one}–${made}`, lengths[0]], [`Link ${made}–${other}`, lengths[1]]])];
+  for (const [name, length] of links) assert.ok(Math.abs(plain(dimensions[name] ?? "") - length) < 1e-6 * length, `${name}: ${dimensions[name]} and ${length}`);
+  for (const { name, at } of mechanism.pivot) assert.deepEqual(dimensions[`Pivot ${name}`].split(", ").map((x) => plain(x).toFixed(4)), at.map((x) => x.toFixed(4)));
   assert.deepEqual(faults, []);
   await close();
 });

@@ -84,7 +84,7 @@ test("a search is watched, stopped and replaced", async () => {
   await visit(await serve(file), {}, async (page) => {
     await verdict(page, /✓/);
     await page.locator("#solve").click();
-    await page.waitForFunction(() => /\d % · [1-9]\d* s/.test(document.getElementById("run-state").textContent));
+    await page.waitForFunction(() => /\d % · [1-9]\d* s · search · \d+:\d\d left/.test(document.getElementById("run-state").textContent));
     await page.locator("#stop").click();
     await report(page).locator("#status").waitFor();
     assert.match(await page.locator("#run-state").textContent(), /^Interrupted/);

@@ -3,6 +3,8 @@
 Run as: problems_test.py PROGRAM LIBRARY, with the module on PYTHONPATH.
 """
 
+import contextlib
+import io
 import json
 import os
 import pathlib
@@ -221,6 +223,17 @@ class RunTest(InFolder):
                                progress=lambda share, best: seen.append(share))
         self.assertIn(result.status, ("time-limit", "solved"))
         self.assertTrue(seen and all(0 <= share <= 1 for share in seen))
+
+    def test_progress_names_the_part_of_the_run(self):
+        seen = []
+        cognate.solve(LIBRARY / "path/bean.toml", time_limit=0.4,
+                      progress=lambda share, best, part: seen.append(part))
+        self.assertEqual(set(seen), {"search"})
+        terminal = io.StringIO()
+        with contextlib.redirect_stderr(terminal):
+            cognate.solve(LIBRARY / "path/bean.toml", time_limit=0.6, progress=True)
+        self.assertRegex(terminal.getvalue(), r"\] +\d+ %  search, (\d+:\d\d (left|so far)|best)")
+        self.assertTrue(terminal.getvalue().endswith("\r"))
 
     def test_what_progress_raises_is_raised(self):
         def stop(share, best):

@@ -59,7 +59,7 @@ def solve(
         In seconds; the best designs until then are returned.
     progress
         True shows a bar; a function is called with the share done (0 to 1) and the best objective
-        so far (which may be infinite).
+        so far (which may be infinite), and where it has a third parameter with the part of the run.
     tables
         The keys at the top of a file: ``kind``, ``target={...}``, ``bounds={...}``. They replace
         those of ``problem``. Angles are in degrees under keys that end in ``_deg``. Lists may be

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
+import inspect
 import sys
-import time
 import typing
 from collections import abc
 from typing import Optional, Union
 
-Progress = Union[None, bool, abc.Callable[[float, float], object]]
+Progress = Union[None, bool, abc.Callable[[float, float], object], abc.Callable[[float, float, str], object]]
 
 
 class Bar:
@@ -19,19 +18,12 @@ class Bar:
 
     def __init__(self, stream: Optional[typing.TextIO] = None) -> None:
         self._stream = stream or sys.stderr
-        self._begun = time.monotonic()
         self._length = 0
 
-    def __call__(self, share: float, best: float) -> None:
+    def __call__(self, share: float, best: float, part: str, words: str) -> None:
         share = min(max(share, 0.0), 1.0)
         done = round(share * self.WIDTH)
-        seconds = time.monotonic() - self._begun
-        line = f"[{'#' * done}{'.' * (self.WIDTH - done)}] {100 * share:3.0f} %  {seconds:.1f} s"
-        if share > 0.02:
-            line += f", {seconds * (1 - share) / share:.1f} s left"
-        if math.isfinite(best):
-            line += f", best {best:.3g}"
-        self._write(line)
+        self._write(f"[{'#' * done}{'.' * (self.WIDTH - done)}] {100 * share:3.0f} %  {words}".rstrip())
 
     def close(self) -> None:
         if self._length:
@@ -45,12 +37,28 @@ class Bar:
         self._length = len(line)
 
 
+def _takes(function: abc.Callable[..., object], *values: object) -> bool:
+    try:
+        inspect.signature(function).bind(*values)
+    except (TypeError, ValueError):  # the latter where nothing is known of its parameters
+        return False
+    return True
+
+
+def _called(function: abc.Callable[..., object]) -> abc.Callable[[float, float, str, str], object]:
+    """What calls `function` with share and best, and with the part where it needs a third value."""
+    if not _takes(function, 0.0, 0.0) and _takes(function, 0.0, 0.0, ""):
+        return lambda share, best, part, _: function(share, best, part)
+    return lambda share, best, _, __: function(share, best)
+
+
 class shown:
     """The function to report progress to, while a computation runs."""
 
     def __init__(self, progress: Progress) -> None:
         self._bar = Bar() if progress is True else None
-        self._function = self._bar or (None if progress is False else progress)
+        given = None if progress is False else progress
+        self._function = self._bar or (_called(given) if callable(given) else given)
 
     def __enter__(self) -> object:
         return self._function

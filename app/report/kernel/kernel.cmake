@@ -1,13 +1,15 @@
 # The analysis kernel for the report pages: the same sources, compiled to WebAssembly by Clang,
 # compressed, and written as base64 text that the pages inline: COGNATE_PAGE_KERNEL for four-bars,
 # COGNATE_ANALYSIS_KERNEL for whole analyses, which reads and evaluates a problem as the program
-# does; COGNATE_CAM_KERNEL and COGNATE_GEAR_KERNEL do so for cams and gears; COGNATE_SKETCH_KERNEL
-# to search for paths. Without the toolchain they are empty: pages offer no editing, and that one
-# draws on no linkages.
+# does; COGNATE_CAM_KERNEL, COGNATE_GEAR_KERNEL, COGNATE_TRAIN_KERNEL and COGNATE_MACHINE_KERNEL do
+# so for cams, gears, gear trains and machines; COGNATE_SKETCH_KERNEL to search for paths. Without
+# the toolchain they are empty: pages offer no editing, and that one draws on no linkages.
 set(COGNATE_PAGE_KERNEL "")
 set(COGNATE_ANALYSIS_KERNEL "")
 set(COGNATE_CAM_KERNEL "")
 set(COGNATE_GEAR_KERNEL "")
+set(COGNATE_MACHINE_KERNEL "")
+set(COGNATE_TRAIN_KERNEL "")
 set(COGNATE_SKETCH_KERNEL "")
 find_program(COGNATE_WASM_CXX NAMES clang++-19 clang++)
 find_program(COGNATE_BASE64 NAMES base64)
@@ -110,8 +112,48 @@ set(problem_reader
   problems/toml/nearest.cpp
   problems/toml/table_reader.cpp
   problems/toml/table_reader_arrays.cpp)
+# What reads, moves and draws a mechanism with its masses and loads.
+set(mechanism_evaluator
+  analysis/mechanism/assembly_fault.cpp
+  analysis/mechanism/assembly_probe.cpp
+  analysis/mechanism/assembly_ranges.cpp
+  analysis/mechanism/circuit_range.cpp
+  analysis/mechanism/dyad_reach.cpp
+  analysis/mechanism/inverse_dynamics.cpp
+  analysis/mechanism/joint_balance.cpp
+  analysis/mechanism/joints.cpp
+  analysis/mechanism/kinematics.cpp
+  analysis/mechanism/output_limits.cpp
+  analysis/mechanism/sliding_pairs.cpp
+  analysis/mechanism/travel.cpp
+  analysis/numbers/convex_hull.cpp
+  app/drawing/mechanism_poses.cpp
+  app/drawing/mechanism_shapes.cpp
+  app/report/drawn_rows.cpp
+  app/report/mechanism_json.cpp
+  problems/basics/unit_notes.cpp
+  problems/evaluation/active_loads.cpp
+  problems/evaluation/force_units.cpp
+  problems/evaluation/load_breaks.cpp
+  problems/mechanism/directions.cpp
+  problems/mechanism/joint_names.cpp
+  problems/mechanism/mechanism_types.cpp
+  problems/mechanism/named_mechanism.cpp
+  problems/mechanism/named_parts.cpp
+  problems/mechanism/names.cpp
+  problems/mechanism/part_names.cpp
+  problems/mechanism/read_chain.cpp
+  problems/mechanism/read_chain_dyads.cpp
+  problems/mechanism/read_cylinder.cpp
+  problems/mechanism/read_dyad_keys.cpp
+  problems/mechanism/read_extra_points.cpp
+  problems/mechanism/read_links.cpp
+  problems/mechanism/read_loads.cpp
+  problems/mechanism/read_simple_mechanism.cpp
+  problems/mechanism/read_slides.cpp
+  problems/mechanism/read_whole_mechanism.cpp)
 set(COGNATE_ANALYSIS_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/analysis_kernel.base64")
-cognate_page_kernel(analysis_kernel ${problem_reader}
+cognate_page_kernel(analysis_kernel ${problem_reader} ${mechanism_evaluator}
   analysis/cam/extremes.cpp
   analysis/cam/subdivision.cpp
   analysis/coupler_curve/circuit_samples.cpp
@@ -138,40 +180,19 @@ cognate_page_kernel(analysis_kernel ${problem_reader}
   analysis/linkage/motion.cpp
   analysis/linkage/slider_crank.cpp
   analysis/linkage/slider_crank_mobility.cpp
-  analysis/mechanism/assembly_fault.cpp
-  analysis/mechanism/assembly_probe.cpp
-  analysis/mechanism/assembly_ranges.cpp
-  analysis/mechanism/circuit_range.cpp
-  analysis/mechanism/dyad_reach.cpp
   analysis/mechanism/gait.cpp
-  analysis/mechanism/inverse_dynamics.cpp
-  analysis/mechanism/joint_balance.cpp
-  analysis/mechanism/joints.cpp
-  analysis/mechanism/kinematics.cpp
-  analysis/mechanism/output_limits.cpp
-  analysis/mechanism/sliding_pairs.cpp
   analysis/mechanism/transmission_extremes.cpp
-  analysis/mechanism/travel.cpp
   analysis/numbers/chebyshev_series.cpp
-  analysis/numbers/convex_hull.cpp
-  app/drawing/mechanism_poses.cpp
-  app/drawing/mechanism_shapes.cpp
   app/report/analysis_report_data.cpp
   app/report/column_vectors.cpp
-  app/report/drawn_rows.cpp
   app/report/load_arrows.cpp
   app/report/kernel/analysis.cpp
   app/report/kernel/left_out.cpp
-  app/report/mechanism_json.cpp
-  problems/basics/unit_notes.cpp
-  problems/evaluation/active_loads.cpp
   problems/evaluation/column_plan.cpp
   problems/evaluation/curve_metrics.cpp
   problems/evaluation/drive_rows.cpp
   problems/evaluation/force_extremes.cpp
-  problems/evaluation/force_units.cpp
   problems/evaluation/instant_geometry.cpp
-  problems/evaluation/load_breaks.cpp
   problems/evaluation/motion_quantities.cpp
   problems/evaluation/motion_summary.cpp
   problems/evaluation/open_rows.cpp
@@ -183,25 +204,10 @@ cognate_page_kernel(analysis_kernel ${problem_reader}
   problems/evaluation/solve.cpp
   problems/evaluation/sweep.cpp
   problems/evaluation/type_quantities.cpp
-  problems/evaluation/whole_motion.cpp
-  problems/mechanism/directions.cpp
-  problems/mechanism/joint_names.cpp
-  problems/mechanism/mechanism_types.cpp
-  problems/mechanism/named_mechanism.cpp
-  problems/mechanism/named_parts.cpp
-  problems/mechanism/names.cpp
-  problems/mechanism/part_names.cpp
-  problems/mechanism/read_chain.cpp
-  problems/mechanism/read_chain_dyads.cpp
-  problems/mechanism/read_cylinder.cpp
-  problems/mechanism/read_dyad_keys.cpp
-  problems/mechanism/read_extra_points.cpp
-  problems/mechanism/read_links.cpp
-  problems/mechanism/read_loads.cpp
-  problems/mechanism/read_simple_mechanism.cpp
-  problems/mechanism/read_slides.cpp
-  problems/mechanism/read_whole_mechanism.cpp)
+  problems/evaluation/whole_motion.cpp)
 
 include("${CMAKE_CURRENT_LIST_DIR}/cams.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/gears.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/machines.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/trains.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/sketch.cmake")

@@ -17,7 +17,8 @@ export function showHead(result, kind, summary, keys, ends = {}) {
   showProblem(result.problem, kind);
   byId("status").textContent = say(ends[result.status] ?? `status.${result.status}`);
   byId("status").classList.add(TONES[result.status]);
-  byId("summary").textContent = summary.filter(Boolean).join(" · ");
+  // A time stays with its unit where a line ends.
+  byId("summary").textContent = summary.filter(Boolean).map((part) => part.replace(/ (?=[mµ]?s$)/, "\u00a0")).join(" · ");
   const version = ["Cognate", result.version, result.seed === undefined ? "" : `· ${say("head.seed", { seed: result.seed })}`].filter(Boolean).join(" ");
   byId("version").textContent = `${version} · ${keys}`;
   // Paper has no keys, and names its origin at its head.

@@ -48,6 +48,23 @@ TEST(ProgressWords, TellTimeLeftAndRate) {
   EXPECT_EQ(share_words(unnamed, 0, std::nullopt, 1, ""), "");
 }
 
+TEST(RunProgress, KeepsWhatWasReachedAndKnowsItsPart) {
+  RunProgress progress;
+  progress.enter("search", 0.5);
+  progress.update(0.2, 3);
+  progress.update(0.1, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(progress.share(), 0.2);
+  EXPECT_EQ(progress.best(), 3);
+  const auto later = RunProgress::Clock::now() + 10s;
+  // 0.2 in about ten seconds, and 0.3 to go.
+  EXPECT_NEAR(progress.left(later).value(), 15, 0.2);
+  EXPECT_NEAR(progress.seconds_in_part(later), 10, 0.2);
+  EXPECT_EQ(progress.words(later).substr(0, 8), "search, ");
+  EXPECT_NE(progress.words(later).find("left of it"), std::string::npos);
+  progress.enter("front", NAN);
+  EXPECT_FALSE(progress.left(later));
+}
+
 TEST(ProgressBar, FillsWithTheShare) {
   EXPECT_EQ(progress_bar(0.5, "0:10 left", 10), "[#####.....]  50 %  0:10 left");
   EXPECT_EQ(progress_bar(0, "", 4), "[....]   0 %");

@@ -136,6 +136,26 @@ TEST(Warnings, OfUnlikeLinksAndOfChangePoints) {
   EXPECT_EQ(warnings_of({design_of({1, 2, 3, 4})}, kSilent), "");  // on it
 }
 
+TEST(Warnings, OfLinksMuchShorterThanTheCrank) {
+  WarningLimits limits = kSilent;
+  limits.link_ratio = 20;
+  const TargetExtent target{{}, 10};
+  const auto with_coupler = [](double coupler) { return design_of({3, coupler, 3.1, 3.2}); };
+  EXPECT_TRUE(says(warnings_of({with_coupler(0.149)}, limits, target),
+                   "Design 1: the crank is more than 20 times as long as the shortest other"));
+  EXPECT_EQ(warnings_of({with_coupler(0.151)}, limits, target), "");
+  // Of that is said once, not again of the longest link.
+  const Result result = warned({with_coupler(0.01)}, limits);
+  EXPECT_EQ(result.designs[0].warnings.size(), 1U);
+  EXPECT_TRUE(says(text_of(result.designs[0].warnings), "The crank is 300 times"));
+  // So it is of other types, an offset being no link.
+  Design slider;
+  slider.mechanism = named(SliderCrank{.crank = 3, .coupler = 4, .offset = 0.01});
+  EXPECT_EQ(warnings_of({slider}, limits, target), "");
+  slider.mechanism = named(SliderCrank{.crank = 3, .coupler = 0.1, .offset = 0.01});
+  EXPECT_TRUE(says(warnings_of({slider}, limits, target), "the crank is more than 20 times"));
+}
+
 TEST(Warnings, OfBadlyConditionedSyntheses) {
   Design design = design_of(kSound);
   design.metrics.condition = 9.9e3;

@@ -5,7 +5,7 @@ import { factName, factRows } from "../fact_text.js";
 import { degrees, degreesShort, duration, number, sentence } from "../format.js";
 import { showHead } from "../head.js";
 import { isOfComputation, showMore } from "../meaning.js";
-import { errorText, sizeOf, withoutRounding } from "../rounding.js";
+import { errorText, sizeOf, tableWithoutRounding, withoutRounding } from "../rounding.js";
 import { RADIANS } from "../sampling.js";
 import { keyword, LENGTH_UNIT, knows, say, term } from "../words.js";
 import { ofRaster } from "./raster.js";
@@ -19,7 +19,7 @@ export function showDimensions(design, pinned = null) {
   byId("dimensions-list").replaceChildren(...beside(dimensionRows(design), pinned && dimensionRows(pinned)), ...fact(say("dimensions.lengths_in"), LENGTH_UNIT ?? say("dimensions.units")));
 }
 
-const dimensionRows = ({ entry: { mechanism } }) => (mechanism.type === "four-bar" ? linkageRows(mechanism) : mechanismRows(mechanism));
+const dimensionRows = ({ entry: { mechanism } }) => (mechanism.type === "four-bar" ? linkageRows(mechanism) : mechanismRows(tableWithoutRounding(mechanism)));
 
 // Pairs of a list, each with the value that another list has under its name where that is another one.
 function beside(pairs, others) {
@@ -45,15 +45,41 @@ function linkageRows(m) {
     ...fact(say("dimensions.assembly"), term(m.assembly))];
 }
 
-// The table of any other mechanism, key by key; the parts of a chain each in a row.
+// The table of any other mechanism, key by key.
 function mechanismRows({ type, ...table }) {
   const rows = Object.entries(table).flatMap(([key, value]) => {
+    if (type === "chain" && CHAIN_ROWS[key]) return [value].flat().flatMap(CHAIN_ROWS[key]);
     if (key === "fixed_pivots") return value.flatMap((pivot, i) => fact(say("dimensions.pivot", { name: "AD"[i] }), pointText(pivot), pivot.join(", ")));
     const parts = Array.isArray(value) && value.every((part) => typeof part === "object" && !Array.isArray(part)) ? value : [value];
     return parts.flatMap((part) => fact(factName(key.replace(/_deg$/, "")), partText(part, key), JSON.stringify(part)));
   });
   return [...fact(say("dimensions.mechanism"), sentence(term(type))), ...rows];
 }
+
+// A length between two joints, of a link that its file may have named otherwise than by these.
+function linkRow(name, from, to, length) {
+  const label = name === from + to ? say("dimensions.link", { from, to }) : say("dimensions.named_link", { name: sentence(term(name)), from, to });
+  return fact(label, number(length, 7), String(length));
+}
+
+const partRow = (label, part, key = "") => fact(label, partText(part, key), JSON.stringify(part));
+
+// The links of a dyad by their lengths, its slides, and in which of two ways it is put together.
+function dyadRows({ type, joins, lengths = [], assembly, new: made, names, ...slides }) {
+  const ends = [[joins[0], made], [made, joins[1]]];
+  const links = made ? lengths.flatMap((length, i) => linkRow(names[i], ...ends[i], length)) : [];
+  const rest = { ...(made ? {} : { joins, ...(lengths.length ? { lengths } : {}) }), ...slides };
+  return [...links, ...(Object.keys(rest).length ? partRow(sentence(names.slice(lengths.length ? -1 : 0).map(term).join(say("list.comma"))), rest) : []),
+    ...fact(say("dimensions.assembly_at", { name: made ?? joins.join("–") }), term(assembly))];
+}
+
+// The parts of a chain, each in a row of its own name.
+const CHAIN_ROWS = {
+  pivot: ({ name, at }) => fact(say("dimensions.pivot", { name }), pointText(at), at.join(", ")),
+  crank: ({ at, pin, length, name }) => linkRow(name, at, pin, length),
+  dyad: dyadRows,
+  point: ({ name, on, at }) => fact(say("dimensions.point", { name, on: [on].flat().map(term).join("–") }), pointText(at), at.join(", ")),
+};
 
 // A value of a mechanism's table in words.
 function partText(value, key) {

@@ -38,10 +38,10 @@ function numbersIn(value, path, words, scope) {
 function partWords(list, i, path, words) {
   const [part, key] = [list[i], path.at(-1)];
   if (part !== null && typeof part === "object" && !Array.isArray(part)) {
-    const name = part.name ?? part.names?.join("–") ?? (part.between ?? [part.on ?? i + 1]).join("–");
+    const name = part.name ?? (part.names ?? part.gears ?? part.between)?.join("–") ?? part.member ?? part.on ?? i + 1;
     return [...words.slice(0, -1), `${words.at(-1)} ${name}`];
   }
-  if (typeof part === "number" && list.length === 2) return [...words, (path.includes("pivot") ? "xy" : AXES[key] ?? "xy")[i]];
+  if (typeof part === "number" && list.length === 2 && key !== "stroke") return [...words, (path.includes("pivot") ? "xy" : AXES[key] ?? "xy")[i]];
   return list.length > 1 ? [...words, String(i + 1)] : words;
 }
 

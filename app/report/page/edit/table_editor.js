@@ -11,8 +11,8 @@ import { problemToml } from "../toml.js";
 
 export class TableEditor {
   // `page`: call, that of the kernel; hint; kept, ids of the cards that do not follow; first(), the problem of the design
-  // shown with all of it given; fields(problem); rows(before, now) of data; checks(data); and show(data, problem), which draws everything, the
-  // design as it was found for null.
+  // shown with all of it given; mayBeEmpty, where an answer may have no design; fields(problem); rows(before, now) of data;
+  // checks(data); and show(data, problem), which draws everything, the design as it was found for null.
   constructor(page) {
     this.page = page;
     this.toggle = element("button", { type: "button", class: "edit-toggle", "aria-pressed": "false", title: say("edit.toggle.title") }, say("edit.toggle"));
@@ -59,21 +59,23 @@ export class TableEditor {
     if (data.faults) return false;
     this.now = { problem, data };
     this.page.show(data, { ...problem, title: this.title });
-    this.#refresh();
+    this.refresh();
     return true;
   }
 
   #evaluate(problem) {
     try {
       const data = TableEditor.kernel.ask(this.page.call, withoutSlowTables(problem));
-      return data.faults || data.designs.length ? data : { faults: data.notes.length ? data.notes : [say("edit.no_design")] };
+      return data.faults || this.page.mayBeEmpty || data.designs.length ? data : { faults: data.notes.length ? data.notes : [say("edit.no_design")] };
     } catch {
       ProblemKernel.load().then((kernel) => { TableEditor.kernel = kernel; });
       return { faults: [say("edit.failed")] };
     }
   }
 
-  #refresh() {
+  // The panel anew, where what is shown of the data has changed.
+  refresh() {
+    if (!this.panel) return;
     const { problem, data } = this.now;
     this.panel.show(problem, this.history, this.page.rows(this.before, data), this.page.checks(data));
   }
@@ -81,7 +83,7 @@ export class TableEditor {
   // A problem that becomes the present one.
   #settle(problem) {
     if (this.#show(problem)) this.history.push(problem);
-    this.#refresh();
+    this.refresh();
   }
 
   // What is shown while a slider moves, once for each picture; it is one change with where it stops.
@@ -93,7 +95,7 @@ export class TableEditor {
   #type(field, value) {
     this.slid = null;
     if (Number.isFinite(value) || field.optional) return this.#settle(field.set(this.now.problem, Number.isFinite(value) ? value : undefined));
-    this.#refresh();
+    this.refresh();
     return this.panel.say(say("edit.number"));
   }
 

@@ -15,9 +15,11 @@ const MACHINE_FACTS = {
   train_ratio: "", train_ratio_exact: "", train_efficiency: "", train_reverse_efficiency: "", train_self_locking: "", train_inertia_kg_m2: "kg·m²",
 };
 
-function machineFactText(name, facts) {
+export const machineFactName = (name) => (name in MACHINE_FACTS ? say(`machine.fact.${name}`) : factName(name));
+
+export function machineFactText(name, facts) {
   const value = facts.get(name);
-  const text = typeof value === "number" ? `${number(value, 6)} ${MACHINE_FACTS[name]}`.trim() : factText(value, "");
+  const text = typeof value === "number" ? `${number(value, 6)} ${MACHINE_FACTS[name] ?? ""}`.trim() : factText(value, "");
   const place = facts.get(name.replace(/_rad_s$/, "_at_deg"));
   return typeof place === "number" && name.endsWith("_rad_s") ? say("fact.at", { value: text, place: degreesShort(place, 5) }) : text;
 }
@@ -26,8 +28,8 @@ function machineFactText(name, facts) {
 export function showMachineFacts(facts) {
   const known = Object.keys(MACHINE_FACTS).filter((name) => facts.has(name) && !isOfComputation(name));
   const others = [...facts.keys()].filter((name) => !(name in MACHINE_FACTS) && !/_at_deg$/.test(name));
-  byId("facts-list").replaceChildren(...known.flatMap((name) => fact(say(`machine.fact.${name}`), machineFactText(name, facts), String(facts.get(name)))),
+  byId("facts-list").replaceChildren(...known.flatMap((name) => fact(machineFactName(name), machineFactText(name, facts), String(facts.get(name)))),
     ...others.flatMap((name) => fact(factName(name), factText(facts.get(name), ""))));
-  showMore(byId("facts"), [...facts].filter(([name]) => isOfComputation(name)).map(([name, value]) => [name, say(`machine.fact.${name}`), errorText(value, 1, (x) => number(x, 3)), value]));
+  showMore(byId("facts"), [...facts].filter(([name]) => isOfComputation(name)).map(([name, value]) => [name, machineFactName(name), errorText(value, 1, (x) => number(x, 3)), value]));
   byId("facts").hidden = facts.size === 0;
 }

@@ -7,27 +7,29 @@ import { byId, element, set } from "../dom.js";
 import { embedded } from "../embedded.js";
 import { Extras } from "../extras.js";
 import { degrees, duration, number, sentence } from "../format.js";
+import { TableEditor } from "../edit/table_editor.js";
 import { Ghost, GHOSTS } from "../ghosts.js";
 import { showHead, showNotes, showWork } from "../head.js";
 import { jointsOf } from "../joints.js";
+import { Kernel } from "../kernel.js";
 import { Mechanism } from "../mechanism.js";
 import { MechanismScene } from "../mechanism_scene.js";
 import { Saves } from "../saves.js";
 import { legendItem } from "../shapes.js";
 import { offerNoEdit } from "../original.js";
+import { showProblem } from "../problem.js";
 import { Trace } from "../trace.js";
 import { TracedPoints } from "../traced.js";
 import { say, term } from "../words.js";
 import { Zoom } from "../zoom.js";
+import { isEditable, machineFields, machineRows } from "./edited.js";
 import { showMachineFacts } from "./facts.js";
 import { DRIVE_ALONE, Motion } from "./model.js";
 import { machineSheets } from "./sheets.js";
 
 const data = JSON.parse(embedded("data"));
 const { result } = data;
-const motions = data.motions.map((motion) => new Motion(motion));
-const facts = new Map(data.facts.map(({ name, value }) => [name, value]));
-const mechanism = new Mechanism(data.mechanism ?? DRIVE_ALONE, data.drive ?? { from: 0, to: 360, round: true });
+let { motions, facts, mechanism } = take(data);
 const state = { time: 0, motion: motions[0] };
 const scene = new MechanismScene(byId("picture"), mechanism, (drive) => drive !== null && goTo(state.motion.timeAt(drive, state.time), true));
 scene.jointsAt = jointsOf(mechanism, result.problem?.mechanism);
@@ -38,6 +40,12 @@ extras.onToggle = () => showLegend();
 const curves = new Curves(byId("plots"), (time) => goTo(time, true), (time) => extras.point(time === null ? null : driveAt(time)));
 const controls = new Controls((seconds) => goTo(controls.player.next(state.time, [0, state.motion?.length ?? 0, true], seconds)),
   (sense, large) => goTo(state.time + (sense * (large ? 10 : 1) * (state.motion?.length ?? 0)) / 360, true));
+
+// What is drawn of a machine.
+function take({ motions: tables, facts: figures, mechanism: motion, drive }) {
+  return { motions: tables.map((table) => new Motion(table)), facts: new Map(figures.map(({ name, value }) => [name, value])),
+    mechanism: new Mechanism(motion ?? DRIVE_ALONE, drive ?? { from: 0, to: 360, round: true }) };
+}
 
 // The drive's coordinate, within a turn, at a time of the motion shown.
 const driveAt = (time) => mechanism.within(state.motion ? state.motion.angle(time) : mechanism.start);
@@ -65,8 +73,8 @@ function showTime(drive) {
   byId("pace").textContent = state.motion?.length ? say("machine.pace", { factor: number(controls.player.pace * controls.player.speed, 3) }) : "";
 }
 
-function choose(motion) {
-  Object.assign(state, { motion, time: 0 });
+function choose(motion, time = 0) {
+  Object.assign(state, { motion, time });
   controls.player.pace = motion.pace;
   for (const button of document.querySelectorAll("[data-task]")) button.setAttribute("aria-pressed", String(button.dataset.task === motion.task));
   set(byId("drive"), { min: 0, max: motion.length });
@@ -74,7 +82,7 @@ function choose(motion) {
   curves.build(machineSheets(motion, facts));
   const marked = motion.steady && facts.has("speed_max_at_deg");
   byId("marks").replaceChildren(...(marked ? [legendItem("good", "dashed", say("machine.greatest")), legendItem("bad", "dashed", say("machine.least"))] : []));
-  goTo(0);
+  goTo(Math.min(time, motion.length));
 }
 
 function showTasks() {
@@ -111,6 +119,30 @@ function drawScene() {
   goTo(state.time);
 }
 
+// The motions that there are, the one that was shown if it is among them; a machine that does not move has none.
+function showMotions() {
+  const stands = motions.length === 0;
+  showTasks();
+  byId("curves").hidden = byId("player").hidden = stands;
+  if (stands) Object.assign(state, { motion: undefined, time: 0 });
+  if (stands) drawScene(); else choose(motions.find(({ task }) => task === state.motion?.task) ?? motions[0], state.time);
+}
+
+// An edited machine with everything that follows from it; that of the file for null.
+function showEdited(answer, problem) {
+  controls.play(false);
+  ({ motions, facts, mechanism } = take(answer ?? data));
+  scene.adopt(mechanism);
+  scene.jointsAt = jointsOf(mechanism, problem.mechanism);
+  showProblem(problem, say("kind.machine"));
+  showNotes((answer ?? result).notes ?? [], answer ? [] : result.warnings);
+  showMachineFacts(facts);
+  showLegend();
+  scene.build();
+  extras.rebuilt(scene);
+  showMotions();
+}
+
 function listen() {
   byId("drive").addEventListener("input", (event) => goTo(Number(event.target.value), true));
   new ResizeObserver(drawScene).observe(byId("picture"));
@@ -120,7 +152,10 @@ function listen() {
 }
 
 if (!data.mechanism) byId("stage-title").textContent = say("machine.drive");
-offerNoEdit(say("edit.by_file"));
+const editor = Kernel.available && isEditable(result)
+  ? new TableEditor({ call: "machine", problem: result.problem, hint: say("edit.hint_machine"), kept: ["work"], first: () => result.problem, mayBeEmpty: true,
+    fields: machineFields, rows: machineRows, checks: () => [], show: showEdited }) : null;
+if (!editor) offerNoEdit(say(Kernel.available ? "edit.too_large" : "edit.by_file"));
 showHead(result, say("kind.machine"), [data.mechanism ? say("count.moving_bodies", { n: mechanism.bodies.length - 1 }) : "",
   say("machine.count", { n: motions.length }), result.work ? duration(result.work.seconds) : ""], say("head.keys_drive"),
   { infeasible: "machine.incomplete" });
@@ -130,14 +165,11 @@ showMachineFacts(facts);
 followTheme(() => curves.redraw());
 if (data.thinned) byId("save").textContent = say("save.without_table");
 byId("save").addEventListener("click", () => saveResult(result));
-showTasks();
 showLegend();
 scene.build();
 extras.rebuilt(scene);
 listenToLayers();
 listen();
-const stands = motions.length === 0;
-byId("curves").hidden = byId("player").hidden = stands;
-if (stands) goTo(0); else choose(motions[0]);
+showMotions();
 controls.start();
-if (stands) controls.play(false);
+if (motions.length === 0) controls.play(false);

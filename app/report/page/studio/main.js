@@ -5,7 +5,7 @@ import { saveText } from "../controls.js";
 import { byId, element } from "../dom.js";
 import { embedded } from "../embedded.js";
 import { duration, number, sentence } from "../format.js";
-import { knows, language, say } from "../words.js";
+import { knows, language, say, term } from "../words.js";
 import { addressWithToken, ask, TOKEN } from "./server.js";
 import { TextEditor } from "./text_editor.js";
 
@@ -79,15 +79,21 @@ async function solve() {
 function showRun(text) { byId("run-state").textContent = text; }
 
 function followRun(state) {
-  const { phase, share, best, seconds, status, message, report } = state;
+  const { phase, share, part, best, seconds, status, message, report } = state;
   solving = phase === "solving";
   byId("stop").disabled = !solving;
   byId("progress").value = phase === "done" ? 1 : share;
   const time = duration(seconds);
-  if (phase === "solving") showRun([say("studio.solving", { share: Math.round(100 * share), seconds: Math.floor(seconds) }), ...(best === null ? [] : [say("studio.best", { best: number(best, 3) })])].join(" · "));
+  if (phase === "solving") showRun([say("studio.solving", { share: Math.round(100 * share), seconds: Math.floor(seconds) }), ...partTexts(part), ...(best === null ? [] : [say("studio.best", { best: number(best, 3) })])].join(" · "));
   if (phase === "done") showRun(`${say(knows(`status.${status}`) ? `status.${status}` : "status.done")} · ${time}`);
   if (phase === "failed") showRun(message);
   if (report !== shownReport) showReport(report);
+}
+
+// The part of the run, and how long it still takes; where nobody knows, how long it has taken.
+function partTexts({ name, seconds, left, is_last: isLast }) {
+  const time = (s) => { const whole = Math.ceil(s); return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`; };
+  return [...(name ? [term(name)] : []), ...(left === null ? seconds < 2 ? [] : [say("studio.so_far", { time: time(seconds) })] : [say(isLast ? "studio.left" : "studio.left_of_part", { time: time(left) })])];
 }
 
 function showReport(report) {

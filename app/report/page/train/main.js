@@ -1,28 +1,37 @@
 // The page of a gear train or gearbox: how it turns, what its members do.
 
 import { followTheme } from "../appearance.js";
-import { headRow, showChecks } from "../checks.js";
+import { checkRows, headRow, showChecks } from "../checks.js";
 import { Controls, saveResult } from "../controls.js";
 import { byId, element, fact } from "../dom.js";
 import { embedded } from "../embedded.js";
-import { factText } from "../fact_text.js";
 import { degrees, duration, fixed, number } from "../format.js";
 import { showHead, showNotes, showWarnings, showWork } from "../head.js";
+import { Kernel } from "../kernel.js";
+import { TableEditor } from "../edit/table_editor.js";
 import { offerNoEdit } from "../original.js";
+import { showProblem } from "../problem.js";
 import { filmed, Saves } from "../saves.js";
 import { makeSortable } from "../sortable.js";
 import { say, sentenceOf, term } from "../words.js";
 import { Zoom } from "../zoom.js";
+import { givenTrain, trainFields, trainRows } from "./edited.js";
+import { fractionText, trainFactName, trainFactText } from "./facts.js";
 import { TrainScene } from "./scene.js";
 
 const data = JSON.parse(embedded("data"));
 const { result, designs } = data;
+// Of a train that is given its states; else trains that were found.
+const areStates = !result.problem?.target;
+// What an edit has made of all states, or of the train that was shown.
+let edited = null;
 const state = { index: 0, deg: 0 };
 const scene = new TrainScene(byId("picture"), (deg) => goTo(deg, true));
 const controls = new Controls((seconds) => goTo(state.deg + controls.player.pace * controls.player.speed * seconds),
   (sense, large) => goTo(state.deg + sense * (large ? 10 : 1), true));
 
-const current = () => designs[state.index];
+const shownOf = (answer) => answer.designs[areStates ? state.index : 0];
+const current = () => (edited ? shownOf(edited) : designs[state.index]);
 
 // What a design is called: its state, or its teeth.
 const nameOf = ({ state: named, teeth }) => named || teeth.map((pair) => pair.join(":")).join(" ");
@@ -45,38 +54,53 @@ function drawScene() {
 }
 
 // Columns are left out where there is little room, but for these.
-const KEPT = ["speed", "torque"];
+const KEPT_COLUMNS = ["speed", "torque"];
 const COLUMNS = [["exact", "train.of_input"], ["speed", "train.speed"], ["relative", "train.relative"], ["torque", "train.torque"], ["power", "train.power"], ["inertia", "train.inertia"]];
 
-// A fraction with a true minus.
-const fraction = (text) => text.replace("-", "−");
-const FRACTIONS = ["ratio_exact"];
-
 function showMembers({ members }) {
-  const classOf = (key) => (KEPT.includes(key) ? "number" : "number wide");
+  const classOf = (key) => (KEPT_COLUMNS.includes(key) ? "number" : "number wide");
   const shown = COLUMNS.filter(([key]) => members.some((member) => member[key] !== null && member[key] !== ""));
   byId("members-table").tHead.replaceChildren(headRow([[say("train.member")], [say("train.role"), "wide"], ...shown.map(([key, words]) => [say(words), classOf(key)])]));
-  const cell = (key, value) => element("td", { class: classOf(key) }, value === null || value === "" ? "–" : typeof value === "number" ? number(value, 6) : fraction(value));
+  const cell = (key, value) => element("td", { class: classOf(key) }, value === null || value === "" ? "–" : typeof value === "number" ? number(value, 6) : fractionText(value));
   byId("members-rows").replaceChildren(...members.map((member) => element("tr", {}, element("td", {}, term(member.name)), element("td", { class: "wide" }, term(member.role)), ...shown.map(([key]) => cell(key, member[key])))));
 }
 
 function choose(index) {
+  if (!areStates) {
+    editor?.close(false);
+    edited = null;
+  }
   state.index = index;
-  for (const [i, button] of [...byId("designs").children].entries()) button.setAttribute("aria-pressed", String(i === index));
+  showChoice();
+  showDesign();
+  editor?.refresh();
+}
+
+// Everything that is said and drawn of the train shown.
+function showDesign() {
   showMembers(current());
-  byId("facts-list").replaceChildren(...current().metrics.flatMap(({ name, value }) => fact(say(`train.fact.${name}`), FRACTIONS.includes(name) ? fraction(value) : factText(value, ""), typeof value === "number" ? String(value) : undefined)));
+  byId("facts-list").replaceChildren(...current().metrics.flatMap(({ name, value }) => fact(trainFactName(name), trainFactText(name, value), typeof value === "number" ? String(value) : undefined)));
   showChecks(current().constraints);
-  showWarnings(result.designs?.[index]);
+  showWarnings(edited ? current() : result.designs?.[state.index]);
   const fastest = Math.max(1, ...current().members.map((_, i) => Math.abs(scene.rate.call({ design: current() }, i))));
   controls.player.pace = 60 / Math.min(fastest, 60);
   drawScene();
 }
 
+// What an edit has made of the train, and its problem; the train as it was found for null.
+function showEdited(answer, problem) {
+  edited = answer;
+  showProblem(problem, say("kind.gear_train"));
+  showNotes((answer ?? result).notes ?? [], (answer ?? result).warnings);
+  showChoice();
+  showDesign();
+}
+
 function showChoice() {
   byId("choice").hidden = designs.length < 2;
-  byId("designs").replaceChildren(...designs.map((design, i) => {
+  byId("designs").replaceChildren(...(areStates && edited ? edited.designs : designs).map((design, i) => {
     const missed = design.constraints.some((check) => !check.satisfied);
-    const button = element("button", { type: "button", title: sentenceOf(design.origin) }, `${nameOf(design)} `, element("span", { class: `mark ${missed ? "no" : "yes"}` }, missed ? "✗" : "✓"));
+    const button = element("button", { type: "button", title: sentenceOf(design.origin), "aria-pressed": String(i === state.index) }, `${nameOf(design)} `, element("span", { class: `mark ${missed ? "no" : "yes"}` }, missed ? "✗" : "✓"));
     button.addEventListener("click", () => choose(i));
     return button;
   }));
@@ -90,7 +114,10 @@ function listen() {
   new Saves(byId("stage"), byId("picture"), { title: () => result.problem?.title, go: (share) => { if (!share) stood = state.deg; goTo(filmed([0, 360, true], share), true); }, back: () => goTo(stood) });
 }
 
-offerNoEdit(say("edit.by_file"));
+const editor = Kernel.available && designs.length && result.problem && result.designs?.[0]?.mechanism
+  ? new TableEditor({ call: "train", problem: result.problem, hint: say("edit.hint_train"), kept: areStates ? ["work"] : ["choice", "work"], first: () => givenTrain(result.problem, result.designs[state.index]),
+    fields: trainFields, rows: (before, now) => trainRows(shownOf(before), shownOf(now)), checks: (now) => checkRows(shownOf(now).constraints), show: showEdited }) : null;
+if (!editor) offerNoEdit(say("edit.by_file"));
 showHead(result, say("kind.gear_train"), [designs.length > 1 ? say("count.designs", { n: designs.length }) : "", designs.length ? nameOf(designs[0]) : "", result.work ? duration(result.work.seconds) : ""], say("train.keys"));
 showNotes(result.notes ?? [], result.warnings);
 showWork(result.work);
@@ -99,7 +126,6 @@ byId("save").addEventListener("click", () => saveResult(result));
 if (designs.length === 0) {
   for (const id of ["stage", "facts", "members", "constraints"]) byId(id).hidden = true;
 } else {
-  showChoice();
   choose(0);
   listen();
   controls.start();
