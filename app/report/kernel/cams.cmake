@@ -1,9 +1,5 @@
-# Cams of which all is given. Boost's containers take a base class that the library has no more.
-block(PROPAGATE COGNATE_CAM_KERNEL)
+# Cams of which all is given.
 set(COGNATE_CAM_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/cam_kernel.base64")
-get_target_property(eigen_folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
-list(TRANSFORM eigen_folders PREPEND "-isystem")
-list(APPEND wasm_flags ${eigen_folders} -DBOOST_NO_CXX98_FUNCTION_BASE)
 cognate_page_kernel(cam_kernel ${problem_reader}
   analysis/cam/extremes.cpp
   analysis/cam/motion_law.cpp
@@ -48,4 +44,3 @@ cognate_page_kernel(cam_kernel ${problem_reader}
   synthesis/exact/cam/half_planes.cpp
   synthesis/exact/cam/smallest_cam.cpp
   synthesis/optimise/solver_traits.cpp)
-endblock()

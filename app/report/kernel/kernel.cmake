@@ -16,7 +16,11 @@ find_program(COGNATE_BASE64 NAMES base64)
 find_program(COGNATE_GZIP NAMES gzip)
 mark_as_advanced(COGNATE_WASM_CXX COGNATE_BASE64 COGNATE_GZIP)
 
-set(wasm_flags --target=wasm32-wasi -std=c++20 -Os -fno-exceptions -fno-rtti -DNDEBUG)
+# Boost's containers take a base class that the library has no more.
+get_target_property(eigen_folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+list(TRANSFORM eigen_folders PREPEND "-isystem")
+set(wasm_flags --target=wasm32-wasi -std=c++20 -Os -fno-exceptions -fno-rtti -DNDEBUG
+               ${eigen_folders} -DBOOST_NO_CXX98_FUNCTION_BASE -DCOGNATE_ISA=scalar)
 # The linker's own stack is 64 kB, and lies where what leaves it overwrites data unseen.
 set(wasm_link_flags -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all -Wl,--stack-first
                     -Wl,-z,stack-size=262144)
@@ -49,43 +53,68 @@ if(NOT can_build_wasm)
 endif()
 
 # cognate_page_kernel(NAME SOURCES...): NAME.base64 in the build folder, a module of the sources
-# and of what all modules need. The sources of a folder are one for the compiler, as in the program.
+# and of what all modules need.
 function(cognate_page_kernel name)
-  set(folders "")
+  set_property(GLOBAL APPEND PROPERTY COGNATE_PAGE_KERNELS ${name})
   foreach(source IN LISTS ARGN ITEMS app/report/kernel/numbers.cpp app/report/kernel/runtime.cpp)
-    get_filename_component(folder "${source}" DIRECTORY)
-    list(APPEND folders "${folder}")
-    string(MAKE_C_IDENTIFIER "${folder}" joined)
-    string(APPEND of_${joined} "#include \"${source}\"\n")
+    set_property(GLOBAL APPEND PROPERTY COGNATE_PAGE_KERNEL_SOURCES "${source}")
+    set_property(GLOBAL APPEND PROPERTY "COGNATE_PAGE_KERNELS_OF_${source}" ${name})
   endforeach()
-  list(REMOVE_DUPLICATES folders)
-  set(objects "")
-  foreach(folder IN LISTS folders)
-    string(MAKE_C_IDENTIFIER "${folder}" joined)
-    set(source "${CMAKE_CURRENT_BINARY_DIR}/${name}/${joined}.cpp")
-    file(CONFIGURE OUTPUT "${source}" CONTENT "${of_${joined}}" @ONLY)
-    set(object "${source}.o")
-    add_custom_command(
-      OUTPUT "${object}"
-      COMMAND ${CMAKE_CXX_COMPILER_LAUNCHER} "${COGNATE_WASM_CXX}" ${wasm_flags}
-              "-I${CMAKE_CURRENT_SOURCE_DIR}/kernel/surroundings" "-I${PROJECT_SOURCE_DIR}" -MD -MF "${object}.d" -MT "${object}"
-              -c "${source}" -o "${object}"
-      DEPENDS "${source}"
-      DEPFILE "${object}.d"
-      COMMENT "Building ${folder} for the report pages"
-      VERBATIM)
-    list(APPEND objects "${object}")
-  endforeach()
+endfunction()
+
+# The object of `source`, which is one for the compiler with what it includes.
+function(compile_for_pages source)
+  add_custom_command(
+    OUTPUT "${source}.o"
+    COMMAND ${CMAKE_CXX_COMPILER_LAUNCHER} "${COGNATE_WASM_CXX}" ${wasm_flags}
+            "-I${CMAKE_CURRENT_SOURCE_DIR}/kernel/surroundings" "-I${PROJECT_SOURCE_DIR}"
+            -MD -MF "${source}.o.d" -MT "${source}.o" -c "${source}" -o "${source}.o"
+    DEPENDS "${source}"
+    DEPFILE "${source}.o.d"
+    COMMENT "Building ${source} for the report pages"
+    VERBATIM)
+endfunction()
+
+function(link_for_pages name)
   set(module "${CMAKE_CURRENT_BINARY_DIR}/${name}")
   add_custom_command(
     OUTPUT "${module}.wasm" "${module}.base64"
-    COMMAND "${COGNATE_WASM_CXX}" ${wasm_flags} ${wasm_link_flags} ${objects}
-            -o "${module}.wasm"
+    COMMAND "${COGNATE_WASM_CXX}" ${wasm_flags} ${wasm_link_flags} ${ARGN} -o "${module}.wasm"
     COMMAND "${COGNATE_GZIP}" -9 -n -c "${module}.wasm" > "${module}.wasm.gz"
     COMMAND "${COGNATE_BASE64}" "${module}.wasm.gz" > "${module}.base64"
-    DEPENDS ${objects}
+    DEPENDS ${ARGN}
     COMMENT "Linking ${name} of the report pages"
     VERBATIM)
+endfunction()
+
+# Makes the modules. The sources of a folder that the same modules need are one for the compiler, and
+# compiled once for all these.
+function(cognate_make_page_kernels)
+  get_property(kernels GLOBAL PROPERTY COGNATE_PAGE_KERNELS)
+  get_property(sources GLOBAL PROPERTY COGNATE_PAGE_KERNEL_SOURCES)
+  list(REMOVE_DUPLICATES sources)
+  set(groups "")
+  foreach(source IN LISTS sources)
+    get_property(users GLOBAL PROPERTY "COGNATE_PAGE_KERNELS_OF_${source}")
+    get_filename_component(folder "${source}" DIRECTORY)
+    string(REPLACE "_kernel" "" names "${users}")
+    string(MAKE_C_IDENTIFIER "${folder}_for_${names}" group)
+    list(APPEND groups ${group})
+    set(users_of_${group} ${users})
+    string(APPEND text_of_${group} "#include \"${source}\"\n")
+  endforeach()
+  list(REMOVE_DUPLICATES groups)
+  foreach(group IN LISTS groups)
+    set(source "${CMAKE_CURRENT_BINARY_DIR}/kernel/${group}.cpp")
+    file(CONFIGURE OUTPUT "${source}" CONTENT "${text_of_${group}}" @ONLY)
+    compile_for_pages("${source}")
+    foreach(kernel IN LISTS users_of_${group})
+      list(APPEND objects_of_${kernel} "${source}.o")
+    endforeach()
+  endforeach()
+  foreach(kernel IN LISTS kernels)
+    link_for_pages(${kernel} ${objects_of_${kernel}})
+  endforeach()
 endfunction()
 
 set(COGNATE_PAGE_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/kernel.base64")
@@ -211,3 +240,4 @@ include("${CMAKE_CURRENT_LIST_DIR}/gears.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/machines.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/trains.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/sketch.cmake")
+cognate_make_page_kernels()

@@ -1,8 +1,5 @@
 # The search for paths, for the page that one draws on.
 set(COGNATE_SKETCH_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/sketch_kernel.base64")
-get_target_property(eigen_folders Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
-list(TRANSFORM eigen_folders PREPEND "-isystem")
-list(APPEND wasm_flags ${eigen_folders} -DCOGNATE_ISA=scalar)
 cognate_page_kernel(sketch_kernel
   analysis/batch/instruction_set.cpp
   analysis/linkage/change_point.cpp
