@@ -9,6 +9,7 @@
 #include "analysis/mechanism/convert.hpp"
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "analysis/numbers/convex_hull.hpp"
 #include "analysis/numbers/hull_distance.hpp"
 
 namespace cognate {
@@ -131,6 +132,7 @@ class CollisionFinder {
     if (found != plates_.end()) return static_cast<std::size_t>(found - plates_.begin());
     plates_.push_back(plate);
     for (const Vec2d& corner : plate->corners) size_ = std::max(size_, norm(corner));
+    for (const auto& other : plate->others) size_ = std::max(size_, norm(other.at));
     size_ = std::max(size_, plate->radius);
     return plates_.size() - 1;
   }
@@ -198,15 +200,23 @@ class CollisionFinder {
     placed.corners.clear();
     placed.middles.clear();
     placed.doubt = placed.spread = 0;
-    for (const Vec2d& corner : plate.corners) {
-      const Vec2<Strip> at = motion_terms::place(body, Vec2<Strip>{corner.x, corner.y});
-      const double doubt = at.x.radius + at.y.radius, spread = at.x.spread() + at.y.spread();
-      if (!std::isfinite(doubt)) placed.doubt = placed.spread = kInfinity;
-      placed.doubt = std::max(placed.doubt, doubt);
-      placed.spread = std::max(placed.spread, spread);
-      placed.corners.push_back(at);
-      placed.middles.push_back({at.x.middle, at.y.middle});
+    for (const Vec2d& corner : plate.corners) add_corner(body, corner, placed);
+    if (plate.others.empty()) return;
+    for (const auto& [other, corner] : plate.others) {
+      add_corner(bodies_[static_cast<std::size_t>(other)], corner, placed);
     }
+    if (std::isfinite(placed.doubt)) placed.middles = convex_hull(std::move(placed.middles), 0);
+  }
+
+  static void add_corner(const BodyMotion<Strip, 0>& body, const Vec2d& corner,
+                         PlacedPlate& placed) {
+    const Vec2<Strip> at = motion_terms::place(body, Vec2<Strip>{corner.x, corner.y});
+    const double doubt = at.x.radius + at.y.radius, spread = at.x.spread() + at.y.spread();
+    if (!std::isfinite(doubt)) placed.doubt = placed.spread = kInfinity;
+    placed.doubt = std::max(placed.doubt, doubt);
+    placed.spread = std::max(placed.spread, spread);
+    placed.corners.push_back(at);
+    placed.middles.push_back({at.x.middle, at.y.middle});
   }
 
   Mechanism<Strip> mechanism_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <variant>
 
 #include "analysis/mechanism/followed_motion.hpp"
 #include "analysis/mechanism/joints.hpp"
@@ -41,6 +42,7 @@ class PlatesMaker {
       : sizes_(sizes),
         points_(points),
         motion_(mechanism, motion),
+        has_cylinder_(std::holds_alternative<DrivingRod<double>>(mechanism.drive)),
         corners_(index(body_count(mechanism))),
         rests_on_(corners_.size()),
         link_of_(corners_.size(), -1) {
@@ -102,6 +104,7 @@ class PlatesMaker {
         rests_on_[index(slide.slider)] = slide.carrier;
       }
     }
+    if (has_cylinder_) rests_on_[index(kDrivingRod)] = kDrivingCylinder;
   }
 
   bool turns_about_origin(int body) const {
@@ -127,7 +130,7 @@ class PlatesMaker {
     for (const Attached<double>& point : points_) add(point);
     for (const Slide& slide : slides_) {
       add({slide.slider, {0, 0}});
-      if (slide.carrier != 0) add_way(slide);
+      if (slide.carrier != 0 && !is_rod(slide.slider)) add_way(slide);
     }
   }
 
@@ -179,6 +182,8 @@ class PlatesMaker {
     return least;
   }
 
+  bool is_rod(int body) const { return has_cylinder_ && body == kDrivingRod; }
+
   void add_link(int body) {
     if (rests_on_[index(body)] != body) return;
     std::vector<Vec2d>& corners = corners_[index(body)];
@@ -188,6 +193,10 @@ class PlatesMaker {
     link_of_[index(body)] = static_cast<int>(made_.links.size());
     made_.links.push_back({body, convex_hull(std::move(corners), kSameCorner * reach),
                            0.5 * sizes_.widths[index(body)]});
+    if (!has_cylinder_ || body != kDrivingCylinder) return;
+    for (const Vec2d& corner : corners_[index(kDrivingRod)]) {
+      made_.links.back().others.push_back({kDrivingRod, corner});
+    }
   }
 
   bool is_one_pin(const TurningJoint& a, const TurningJoint& b) const {
@@ -237,6 +246,7 @@ class PlatesMaker {
   const PlateSizes& sizes_;
   std::span<const Attached<double>> points_;
   mutable FollowedMotion<0> motion_;
+  bool has_cylinder_;
   std::vector<std::vector<Vec2d>> corners_;  ///< of each body
   std::vector<int> rests_on_;                ///< the body itself where it has a layer
   std::vector<int> link_of_;                 ///< of each body; −1 without one

@@ -11,6 +11,9 @@
 
 namespace cognate {
 
+/// The bodies of a driving cylinder.
+inline constexpr int kDrivingRod = 1, kDrivingCylinder = 2;
+
 /// The sizes of links and pins, in the lengths of the mechanism.
 struct PlateSizes {
   std::vector<double> widths;  ///< of each body; that of the frame is ignored
@@ -24,6 +27,9 @@ struct Plate {
   int body = 0;
   std::vector<Vec2d> corners;  ///< in the axes of the body, counter-clockwise
   double radius = 0;           ///< of the disc
+  /// Corners on another body, with which the polygon is their convex hull: of a cylinder those of
+  /// its rod.
+  std::vector<Attached<double>> others{};
 };
 
 /// A pin, and the links that it joins: indices of `Plates::links`, ascending.
@@ -48,6 +54,9 @@ struct Plates {
 /// - A block or slider whose turning joints are all at its origin, and on which nothing slides, has
 ///   no layer: its pin runs in the slot of the link that it slides on, or in the base.
 /// - Any other slider is a link, whose guide is not looked at.
+/// - A driving cylinder is one link with its rod, from its pivot to the rod's pin at every
+/// position,
+///   and as wide as the cylinder.
 Plates plates(const Mechanism<double>& mechanism, const AssemblyRanges& motion,
               std::span<const Attached<double>> points, const PlateSizes& sizes);
 

@@ -80,7 +80,8 @@ void add_export_options(CLI::App& command, Arguments& arguments) {
   add("--sheet", texts.sheet, "WxH", "of parts: packed on sheets of this size");
   add("--labels", texts.labels, "none|text|stroke", "of parts: names (default text)");
   add("--bearing", texts.bearing, "NUMBER", "of parts: on pins, such as 608 or 619/5");
-  add("--washer", texts.washer, "T", "of parts: thickness of washers between layers");
+  add("--screw", texts.screw, "M5", "of parts: screws as pins, with nuts and washers");
+  add("--washer", texts.washer, "T[xD]", "of parts: washers between layers, D outside");
   add("--boss", texts.boss, "D", "of solid parts: bosses where pins cross layers");
   command.add_flag("--spacers", texts.spacers, "of parts: rings for layers that pins cross");
   command.add_flag("--bill", texts.bill, "of parts: also a bill of material, NAME.bill.csv");

@@ -25,6 +25,7 @@ struct GearPose {
   /// y axis.
   std::optional<gear::RackPair> rack{};
   double offset = 0;
+  double helix = 0;  ///< β of this gear on its reference cylinder, positive right-handed
 };
 
 /// How many teeth of a rack are drawn.

@@ -9,6 +9,7 @@
 #include "analysis/mechanism/followed_motion.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/golden_section.hpp"
+#include "problems/mechanism/driving_cylinder.hpp"
 #include "problems/mechanism/joint_names.hpp"
 
 namespace cognate::app {
@@ -108,6 +109,7 @@ class LinksMaker {
     }
     FollowedMotion<0> motion(named_.mechanism, follow(named_.mechanism, start, end));
     reach_slot_ends(shown_, motion);
+    if (problems::has_driving_cylinder(named_)) add_cylinder(motion.assembly_ranges());
   }
 
   LinkShapes make() {
@@ -117,6 +119,16 @@ class LinksMaker {
   }
 
  private:
+  void add_cylinder(const AssemblyRanges& motion) {
+    if (motion.runs.empty()) return;
+    CylinderLengths lengths{kInfinity, 0};
+    for (const AssemblyRange& run : motion.runs) {
+      lengths.least = std::min(lengths.least, run.from);
+      lengths.greatest = std::max(lengths.greatest, run.to);
+    }
+    shown_.cylinder = lengths;
+  }
+
   const BodyTrack& track(int link) const {
     return shown_.poses.bodies[static_cast<std::size_t>(link)];
   }

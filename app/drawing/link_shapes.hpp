@@ -1,6 +1,7 @@
 /// @file The links and joints of a linkage with all that lies on them, in their own axes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct LinkShape {
   std::string name;
   std::vector<LinkPlace> places;  ///< each place once
   BodyShape shape;
+  int layer = 0;  ///< from 1 above the frame, where layers are assigned; 0 without one
 };
 
 struct JointShape {
@@ -31,10 +33,16 @@ struct JointShape {
   Attached<double> at{};
 };
 
+/// Of a driving cylinder, from its pivot to the pin of its rod.
+struct CylinderLengths {
+  double least = 0, greatest = 0;
+};
+
 struct LinkShapes {
   MechanismPoses poses;            ///< of the drive, two turns at most
   std::vector<LinkShape> links;    ///< the frame first
   std::vector<JointShape> joints;  ///< in the order of the links
+  std::optional<CylinderLengths> cylinder{};
 };
 
 /// The links of `linkage`: guides are as long as the blocks travel over the drive, to

@@ -1,9 +1,12 @@
 #include "app/drawing/linkage_plan.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
+#include <string>
 
 #include "problems/basics/names.hpp"
 
@@ -31,6 +34,9 @@ class PlanMaker {
                     {"PATHS", PlanColour::accent},
                     {"TARGET", PlanColour::red},
                     {"LABELS", PlanColour::green}};
+    int layers = 0;
+    for (const LinkShape& link : shown_.links) layers = std::max(layers, link.layer);
+    for (int layer = 1; layer <= layers; ++layer) plan_.layers.push_back({links_layer(layer)});
     for (const auto& path : paths) add_path(path);
     for (std::size_t i = 0; i < shown_.links.size(); ++i) add_link(i);
     for (const Vec2d& target : linkage.targets) {
@@ -56,15 +62,20 @@ class PlanMaker {
     for (const Rail& rail : given.shape.rails) {
       plan_.outlines.push_back(plan_line("GUIDES", placed(link, rail.from), placed(link, rail.to)));
     }
-    add_polygon(link, "LINKS", given.shape.outline);
+    const std::string layer = links_layer(given.layer);
+    add_polygon(link, layer, given.shape.outline);
     if (given.shape.block) {
       const double a = kBlock * size_, b = 0.6 * a;
-      add_polygon(link, "LINKS", {{-a, -b}, {a, -b}, {a, b}, {-a, b}});
+      add_polygon(link, layer, {{-a, -b}, {a, -b}, {a, b}, {-a, b}});
     }
     for (const LinkPlace& place : given.places) add_place(link, place);
   }
 
-  void add_polygon(std::size_t link, const char* layer, const std::vector<Vec2d>& corners) {
+  static std::string links_layer(int layer) {
+    return layer > 0 ? fmt::format("LINKS_{}", layer) : "LINKS";
+  }
+
+  void add_polygon(std::size_t link, const std::string& layer, const std::vector<Vec2d>& corners) {
     if (corners.size() < 2) return;
     PlanOutline outline{layer, {}, corners.size() > 2};
     for (const Vec2d& corner : corners) outline.corners.push_back({placed(link, corner)});

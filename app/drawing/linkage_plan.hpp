@@ -11,9 +11,10 @@
 namespace cognate::app {
 
 /// The drawing of `linkage` with its links where `bodies` places them: LINKS (a line or a polygon
-/// for each, and the blocks of sliders), GUIDES, FRAME (a triangle under every fixed pivot), JOINTS
-/// (a circle at every turning joint), POINTS (one at every other named point), PATHS, TARGET (a
-/// circle at each point of the target) and LABELS (names).
+/// for each, and the blocks of sliders; of links in layers LINKS_1 and so on), GUIDES, FRAME (a
+/// triangle under every fixed pivot), JOINTS (a circle at every turning joint), POINTS (one at
+/// every other named point), PATHS, TARGET (a circle at each point of the target) and LABELS
+/// (names).
 Plan linkage_plan(const LinkageScene& linkage, const LinkShapes& shown,
                   std::span<const BodyMotion<double, 0>> bodies,
                   const std::vector<PointPath>& paths);

@@ -3,7 +3,10 @@
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 
+#include "analysis/numbers/constants.hpp"
 #include "app/documents/json_values.hpp"
 #include "app/documents/result_json.hpp"
 #include "app/drawing/gear_plan.hpp"
@@ -149,7 +152,23 @@ std::vector<ExportedFile> files_of(const ResultGears& given, const GearSheet& sh
 
 constexpr double kRingRim = 2;  // modules outside the roots
 
-WheelSolid wheel_of(const GearOutline& drawn, const PlanOutline& outline, const WheelBore& bore) {
+/// By which the teeth turn about the axis over `thickness`.
+double twist_of(const GearPose& gear, double thickness) {
+  return thickness * std::tan(gear.helix) / gear::reference_radius(gear.section);
+}
+
+/// Why so wide a gear is no solid: its faces would be screws of many turns.
+std::optional<std::string> too_twisted(const GearPose& gear, double thickness) {
+  const double twist = std::abs(twist_of(gear, thickness));
+  if (twist <= kTurn) return std::nullopt;
+  return fmt::format(
+      "--thickness: over {:.6g} the helical teeth turn {:.3g} times about the axis; allowed is "
+      "once, at most {:.6g}",
+      thickness, twist / kTurn, thickness * kTurn / twist);
+}
+
+WheelSolid wheel_of(const GearOutline& drawn, const PlanOutline& outline, const WheelBore& bore,
+                    double thickness) {
   const GearPose& gear = drawn.gear;
   const Vec2d centre = gear.rack ? Vec2d{} : gear.centre;
   SolidLoop loop{outline.corners};
@@ -158,7 +177,8 @@ WheelSolid wheel_of(const GearOutline& drawn, const PlanOutline& outline, const 
                    .outline = loop,
                    .centre = centre,
                    .direction = {std::cos(gear.angle), std::sin(gear.angle)},
-                   .bore = bore};
+                   .bore = bore,
+                   .twist = twist_of(gear, thickness)};
   if (gear.ring) {
     const double rim = kRingRim * gear.section.module;
     wheel.outline = circle_loop({}, gear::root_radius(*gear.ring) + rim);
@@ -168,19 +188,18 @@ WheelSolid wheel_of(const GearOutline& drawn, const PlanOutline& outline, const 
 }
 
 tl::expected<Exported, std::string> gear_solids(const ResultGears& given, const GearSheet& sheet,
-                                                const ExportOptions& wanted,
-                                                const std::string& stem, double tolerance) {
-  if (given.gearing == "helical") {
-    return tl::unexpected(
-        std::string("--format: no solids are made of helical teeth; allowed are spur gears, or dxf "
-                    "for the transverse section"));
-  }
+                                                ExportOptions wanted, const std::string& stem,
+                                                double tolerance) {
+  if (!wanted.thickness) wanted.thickness = given.face_width;
+  const double thickness = wanted.thickness.value_or(0);
   SolidAssembly assembly =
       empty_assembly(given.title.empty() ? stem : given.title, given.length_unit);
   assembly.chord_tolerance = tolerance;
   for (std::size_t i = 0; i < sheet.outlines.size(); ++i) {
+    const GearOutline& drawn = sheet.outlines[i];
+    if (auto why = too_twisted(drawn.gear, thickness)) return tl::unexpected(*std::move(why));
     auto solid = wheel_solid(
-        wheel_of(sheet.outlines[i], sheet.plan.outlines[sheet.cuts[i]], sheet.bores[i]), wanted);
+        wheel_of(drawn, sheet.plan.outlines[sheet.cuts[i]], sheet.bores[i], thickness), wanted);
     if (!solid) return tl::unexpected(solid.error());
     assembly.solids.push_back(*std::move(solid));
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,9 @@
 #include "problems/basics/degrees.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/evaluation/drive_rows.hpp"
+#include "problems/layers/assign.hpp"
+#include "problems/layers/notes.hpp"
+#include "synthesis/search/deadline.hpp"
 
 namespace cognate::app {
 namespace {
@@ -213,7 +217,7 @@ class LinkageExporter {
     run.threads = options_.threads;
     run.time_limit = options_.time_limit;
     auto result = problems::analyse(linkage_.problem, run);
-    notes_ = result.notes;
+    std::ranges::copy(result.notes, std::back_inserter(notes_));
     return result;
   }
 
@@ -241,10 +245,30 @@ class LinkageExporter {
         wanted, kLeastTolerance * size, size));
   }
 
+  /// Those of the sizes of the file; a note says where there are none.
+  void assign_layers() {
+    const synthesis::Deadline deadline(options_.time_limit.value_or(kInfinity));
+    const auto layers =
+        problems::assign_layers(linkage_.problem.mechanism, motion_.assembly_ranges(),
+                                *linkage_.layers, [&] { return deadline.reached(); });
+    if (!layers || !layers->count) {
+      notes_.push_back(layers ? blocked_note(*layers, is_driven_by_slider(linkage_))
+                              : layers.error());
+      return;
+    }
+    for (LinkShape& link : shown_.links) {
+      const auto own =
+          std::ranges::find(layers->links, link.name, &problems::LayerResult::Link::name);
+      if (own != layers->links.end()) link.layer = own->layer;
+    }
+    if (shown_.cylinder) shown_.links[kDrivingRod].layer = shown_.links[kDrivingCylinder].layer;
+  }
+
   /// In the position `drive`, degrees or a length.
   Result drawing(double drive) {
     const auto chord = tolerance();
     if (!chord) return tl::unexpected(chord.error());
+    if (linkage_.layers) assign_layers();
     const auto paths = linkage_paths(linkage_, motion_.assembly_ranges(), *chord);
     if (!paths) {
       return tl::unexpected(fmt::format(

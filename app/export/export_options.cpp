@@ -97,7 +97,11 @@ class OptionReader {
     if (texts_.width) take(parse_length("--width", *texts_.width), order.width);
     if (texts_.labels) take(parse_labels(*texts_.labels), order.labels);
     if (texts_.bearing) take(parse_bearing(*texts_.bearing), order.bearing);
-    if (texts_.washer) take(parse_length("--washer", *texts_.washer), order.washer);
+    if (texts_.screw) take(parse_screw(*texts_.screw), order.screw);
+    Vec2d washer{};
+    if (texts_.washer) take(parse_washer(*texts_.washer), washer);
+    order.washer = washer.x;
+    order.washer_outside = washer.y;
     if (texts_.boss) take(parse_length("--boss", *texts_.boss), order.boss);
     if (texts_.sheet) take(parse_sheet(*texts_.sheet), order.sheet);
     order.kerf = options_.kerf;
@@ -196,6 +200,10 @@ class OptionReader {
           fmt::format("--clearance: {} makes slots as wide as the bars; allowed is less than {}",
                       options_.parts->clearance, options_.parts->width - options_.parts->hole));
     }
+    if (texts_.screw && texts_.washer) {
+      faults_.emplace_back(
+          "--washer: a screw has those of ISO 7089; expected --screw without --washer");
+    }
     const std::string stray = first_given({{"--hole", &texts_.hole},
                                            {"--width", &texts_.width},
                                            {"--clearance", &texts_.clearance},
@@ -203,6 +211,7 @@ class OptionReader {
                                            {"--thickness", &texts_.thickness},
                                            {"--labels", &texts_.labels},
                                            {"--bearing", &texts_.bearing},
+                                           {"--screw", &texts_.screw},
                                            {"--washer", &texts_.washer},
                                            {"--boss", &texts_.boss},
                                            {"--sheet", &texts_.sheet}});

@@ -102,7 +102,7 @@ struct ExportTexts {
   std::optional<std::string> position, steps;
   bool parts = false;
   std::optional<std::string> hole, width, clearance, gap, thickness;
-  std::optional<std::string> labels, bearing, washer, sheet, boss;
+  std::optional<std::string> labels, bearing, screw, washer, sheet, boss;
   bool bill = false, spacers = false;
   std::optional<std::string> kerf, bore, hub, hub_length;
   bool keyway = false, timing_mark = false;
@@ -134,6 +134,7 @@ inline constexpr auto kExportTexts = std::to_array<ExportOption<std::optional<st
      {"--thickness", &ExportTexts::thickness},
      {"--labels", &ExportTexts::labels},
      {"--bearing", &ExportTexts::bearing},
+     {"--screw", &ExportTexts::screw},
      {"--washer", &ExportTexts::washer},
      {"--sheet", &ExportTexts::sheet},
      {"--boss", &ExportTexts::boss},

@@ -16,7 +16,6 @@
 #include "app/export/part_sheet.hpp"
 #include "app/export/stacked_parts.hpp"
 #include "app/export/svg.hpp"
-#include "problems/mechanism/driving_cylinder.hpp"
 #include "synthesis/search/deadline.hpp"
 
 namespace cognate::app {
@@ -24,17 +23,12 @@ namespace {
 
 using nlohmann::ordered_json;
 
+using Ordered = tl::expected<PartOrder, std::string>;
+
 /// The order with its bearing in the linkage's lengths, and the bearing's bore as its hole.
-tl::expected<PartOrder, std::string> in_lengths_of(std::optional<problems::LengthUnit> unit,
-                                                   PartOrder order) {
+Ordered with_bearing(PartOrder order, double millimetre) {
   if (!order.bearing) return order;
   Bearing& bearing = *order.bearing;
-  if (!unit) {
-    return tl::unexpected(
-        std::string("--bearing: its sizes are millimetres, and the file names no unit of length; "
-                    "expected --length-unit mm, cm, m or in with it"));
-  }
-  const double millimetre = 1e-3 / metres(unit);
   for (double* size : {&bearing.bore, &bearing.outside, &bearing.width}) *size *= millimetre;
   if (order.hole > 0 && std::abs(order.hole - bearing.bore) > 1e-9 * bearing.bore) {
     return tl::unexpected(
@@ -46,10 +40,47 @@ tl::expected<PartOrder, std::string> in_lengths_of(std::optional<problems::Lengt
   return order;
 }
 
+/// Likewise with its screw, the washers of that and, where none is ordered, its hole.
+Ordered with_screw(PartOrder order, double millimetre) {
+  if (!order.screw) return order;
+  const Screw screw = order.screw->scaled(millimetre);
+  if (order.hole == 0) order.hole = screw.hole;
+  if (!order.thickness) {
+    return tl::unexpected(
+        std::string("--screw: its length follows from the thickness of the parts; expected "
+                    "--thickness T with it"));
+  }
+  constexpr double kRounding = 1e-9;
+  if (!(order.hole >= screw.diameter * (1 - kRounding))) {
+    return tl::unexpected(
+        fmt::format("--hole: {:.6g} is too small for the screw {}; allowed is {:.6g} or more",
+                    order.hole, screw.designation, screw.diameter));
+  }
+  order.screw = screw;
+  order.washer = screw.washer_thickness;
+  order.washer_outside = screw.washer_outside;
+  return order;
+}
+
+/// The order in the linkage's lengths.
+Ordered in_lengths_of(std::optional<problems::LengthUnit> unit, PartOrder order) {
+  if (!order.bearing && !order.screw) return order;
+  if (!unit) {
+    return tl::unexpected(
+        fmt::format("{}: its sizes are millimetres, and the file names no unit of length; expected "
+                    "--length-unit mm, cm, m or in with it",
+                    order.bearing ? "--bearing" : "--screw"));
+  }
+  const double millimetre = 1e-3 / metres(unit);
+  return with_bearing(std::move(order), millimetre).and_then([&](PartOrder borne) {
+    return with_screw(std::move(borne), millimetre);
+  });
+}
+
 /// The order with what it leaves open as the file's layers have it.
-tl::expected<PartOrder, std::string> completed(PartOrder order,
-                                               const std::optional<problems::LayerSizes>& sizes) {
-  const bool no_hole = order.hole == 0 && !order.bearing, no_width = order.width == 0;
+Ordered completed(PartOrder order, const std::optional<problems::LayerSizes>& sizes) {
+  const bool no_hole = order.hole == 0 && !order.bearing && !order.screw;
+  const bool no_width = order.width == 0;
   if (!sizes && no_hole && no_width) {
     return tl::unexpected(
         std::string("--parts: --hole and --width are missing; expected both with a LENGTH, or a "
@@ -74,7 +105,9 @@ tl::expected<PartOrder, std::string> completed(PartOrder order,
 
 std::string parts_summary(const LinkParts& made, const PartLayers& layers, const PartSheet& sheet,
                           const PartOrder& order) {
-  std::string summary = fmt::format("{} parts in {} layers", made.parts.size(), layers.count);
+  const auto cut =
+      std::ranges::count_if(made.parts, [](const auto& part) { return !part.cylinder; });
+  std::string summary = fmt::format("{} parts in {} layers", cut, layers.count);
   if (const auto height = stack_height(layers.count, order)) {
     summary += fmt::format(", {:.6g} high", *height);
   }
@@ -139,8 +172,9 @@ tl::expected<Exported, std::string> parts_solids(const PosedLinkage& linkage,
   made->summary += fmt::format(" in {} layers, {:.6g} high", parts.layers.count,
                                *stack_height(parts.layers.count, parts.order));
   if (!problem.length_unit) made->notes.push_back(kMillimetresAssumed);
-  if (parts.order.washer > 0) {
-    made->notes.emplace_back("washers are left out: their outside diameter is not chosen");
+  if (parts.order.washer > 0 && parts.order.washer_outside == 0) {
+    made->notes.emplace_back(
+        "washers are left out: their outside diameter is not chosen; --washer TxD chooses it");
   }
   return made;
 }
@@ -170,11 +204,6 @@ tl::expected<Exported, std::string> export_parts(const PosedLinkage& linkage,
                                                  const ExportOptions& wanted,
                                                  const std::string& stem, const Options& options) {
   const auto& problem = linkage.scene.problem;
-  if (problems::has_driving_cylinder(problem.mechanism)) {
-    return tl::unexpected(std::string(
-        "--parts: the rod and the barrel of the driving cylinder are no plates; without "
-        "--parts the linkage is drawn"));
-  }
   const auto order = completed(*wanted.parts, linkage.scene.layers).and_then([&](auto complete) {
     return in_lengths_of(problem.length_unit, std::move(complete));
   });

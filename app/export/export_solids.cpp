@@ -102,6 +102,8 @@ ordered_json solids_json(const SolidAssembly& assembly, const std::vector<double
                     {"at", {solid.at.x, solid.at.y}},
                     {"turned_deg", problems::degrees(angle_of(solid.direction))},
                     {"volume", volumes[i]}});
+    const double twist = solid.material.front().twist;
+    if (twist != 0) list.back()["twist_deg"] = problems::degrees(twist);
   }
   return list;
 }
@@ -138,7 +140,7 @@ tl::expected<Solid, std::string> wheel_solid(const WheelSolid& wheel, const Expo
   }
   const double high = wheel.low + *wanted.thickness;
   Solid solid{.name = wheel.name, .at = wheel.centre};
-  solid.material.push_back({wheel.outline, wheel.low, high, wheel.hollow});
+  solid.material.push_back({wheel.outline, wheel.low, high, wheel.hollow, wheel.twist});
   double top = high;
   if (wheel.bore.hub > 0) {
     if (!(wanted.hub_length && *wanted.hub_length > *wanted.thickness)) {

@@ -36,8 +36,9 @@ struct StackedParts {
   const PartOrder& order;  ///< with a thickness
 };
 
-/// The plates of the links, the frame's lowest layer on z = 0, the pins through them, and bearings
-/// and spacers as far as they are ordered, with every body where `bodies` has it.
+/// The plates of the links, the frame's lowest layer on z = 0, the pins through them or screws with
+/// nuts, washers whose diameter is chosen, and bearings and spacers as far as they are ordered,
+/// with every body where `bodies` has it.
 std::vector<Solid> linkage_solids(const StackedParts& parts,
                                   std::span<const BodyMotion<double, 0>> bodies);
 
@@ -49,7 +50,8 @@ struct WheelSolid {
   Vec2d centre{};                     ///< where it stands
   Vec2d direction{1, 0};              ///< by which its keyway is turned from +y
   WheelBore bore{};
-  double low = 0;  ///< of its lower face
+  double low = 0;    ///< of its lower face
+  double twist = 0;  ///< of its upper face against the lower
 };
 
 /// A wheel of the thickness that is wanted, its hub a boss about the bore on its upper face. The

@@ -41,6 +41,7 @@ struct ResultGears {
   std::optional<problems::LengthUnit> length_unit;
   std::vector<GearPose> gears;
   std::vector<std::string> notes;  ///< what is wrong with them
+  std::optional<double> face_width{};
 };
 
 /// The gears of a design whose mechanism is of type "gear" or "gear-pair", made anew of its table

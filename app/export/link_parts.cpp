@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/layers/plates.hpp"
 #include "analysis/numbers/convex_hull.hpp"
 #include "analysis/numbers/segment.hpp"
 
@@ -63,11 +64,34 @@ class PartsMaker {
           fmt::format("{} is no part but the pin that runs in a slot", given.name));
       return;
     }
+    if (shown_.cylinder && number == kDrivingRod) return;  // with its cylinder
     part_of_[static_cast<std::size_t>(number)] = static_cast<int>(made_.parts.size());
+    if (shown_.cylinder && number == kDrivingCylinder) {
+      add_cylinder(given);
+      return;
+    }
     LinkPart part{number, given.name, {}, {}, {}, 0.5 * order_.width_of(given.name)};
     for (const LinkPlace& place : given.places)
       part.holes.push_back({place.name, place.at, place.joint, order_.hole});
     made_.parts.push_back(std::move(part));
+  }
+
+  void add_cylinder(const LinkShape& given) {
+    part_of_[kDrivingRod] = part_of_[kDrivingCylinder];
+    LinkPart part{.link = kDrivingCylinder,
+                  .name = given.name,
+                  .rim = 0.5 * order_.width_of(given.name),
+                  .cylinder = shown_.cylinder};
+    std::vector<Vec2d> places;
+    for (const LinkPlace& place : given.places) places.push_back(place.at);
+    part.hull = convex_hull(std::move(places), 0);
+    for (const LinkPlace& place : link(kDrivingRod).places) {
+      part.on_rod.push_back({kDrivingRod, place.at});
+    }
+    made_.parts.push_back(std::move(part));
+    made_.notes.push_back(
+        fmt::format("{} with {} is bought: it is in the bill, and no part is made of it",
+                    given.name, link(kDrivingRod).name));
   }
 
   void add_slots(LinkPart& part) {
@@ -120,6 +144,7 @@ class PartsMaker {
   }
 
   void add_hull(LinkPart& part) {
+    if (part.cylinder) return;
     std::vector<Vec2d> points;
     for (const PartHole& hole : part.holes) points.push_back(hole.at);
     for (const PartSlot& slot : part.slots) points.insert(points.end(), {slot.from, slot.to});
@@ -233,6 +258,11 @@ std::optional<std::string> impossible(const PartOrder& order) {
         "--clearance: {:.6g} makes slots as wide as the bars; allowed is less than "
         "{:.6g}",
         order.clearance, width - order.hole);
+  }
+  if (order.washer_outside > 0 && !(order.hole < order.washer_outside)) {
+    return fmt::format(
+        "--hole: washers of {:.6g} fall through holes of {:.6g}; allowed are smaller holes",
+        order.washer_outside, order.hole);
   }
   if (!(order.kerf < order.hole)) {
     return fmt::format(

@@ -9,6 +9,7 @@
 #include "app/drawing/link_shapes.hpp"
 #include "app/drawing/plan.hpp"
 #include "app/export/bearings.hpp"
+#include "app/export/screws.hpp"
 #include "problems/layers/layers.hpp"
 
 namespace cognate::app {
@@ -26,7 +27,9 @@ struct PartOrder {
   double kerf = 0;                  ///< width of the cut; what is drawn is the beam's way
   PartLabels labels = PartLabels::text;
   std::optional<Bearing> bearing;  ///< on which links turn on their pins
+  std::optional<Screw> screw;      ///< that pins are, with nuts and washers
   double washer = 0;               ///< thickness of washers between layers
+  double washer_outside = 0;       ///< their outside diameter; 0 where it is not chosen
   std::optional<Vec2d> sheet;      ///< width and height of the sheets that parts are cut from
   bool bill = false;               ///< whether the bill of material is a file of its own
   bool spacers = false;            ///< whether spacers are parts as well
@@ -51,7 +54,9 @@ struct PartSlot {
   Vec2d from{}, to{};
 };
 
-/// A link with its holes, in its own axes. Its outline keeps `rim` from `hull`.
+/// A link with its holes, in its own axes. Its outline keeps `rim` from `hull`. A driving cylinder
+/// is one part with its rod, without holes: what it takes of its layer is the hull of `hull` and of
+/// points on the rod.
 struct LinkPart {
   int link = 0;  ///< −1 of a spacer
   std::string name;
@@ -59,6 +64,8 @@ struct LinkPart {
   std::vector<PartSlot> slots;
   std::vector<Vec2d> hull;  ///< corners, counter-clockwise: one, two or more
   double rim = 0;           ///< half the width
+  std::vector<Attached<double>> on_rod{};
+  std::optional<CylinderLengths> cylinder{};  ///< where it is one, which is bought, not cut
 };
 
 /// A pin, and the parts that it goes through: indices of `parts`.
@@ -79,8 +86,9 @@ struct LinkParts {
 /// slot for everything that slides on the link, and about them the convex hull with round ends. A
 /// slider with nothing but one joint is no part: it is a pin in the slot. One with more has two
 /// pins of its own in the slot, which keep its direction. With a bearing a pin is fast in the first
-/// of its links, the frame if it joins that, and the holes of the others take the bearing. The
-/// error says which size is not possible, or which holes would overlap, and what is allowed.
+/// of its links, the frame if it joins that, and the holes of the others take the bearing. A
+/// driving cylinder is one part with its rod, with no outline. The error says which size is not
+/// possible, or which holes would overlap, and what is allowed.
 tl::expected<LinkParts, std::string> link_parts(const LinkShapes& shown, const PartOrder& order);
 
 }  // namespace cognate::app

@@ -29,7 +29,10 @@ ordered_json link_json(const LinkShapes& shown, const LinkShape& link) {
                      {"from", to_json(rail.from)},
                      {"to", to_json(rail.to)}});
   }
-  return {{"name", link.name}, {"places", places}, {"lengths", lengths}, {"slots", slots}};
+  ordered_json table = {
+      {"name", link.name}, {"places", places}, {"lengths", lengths}, {"slots", slots}};
+  if (link.layer > 0) table["layer"] = link.layer;
+  return table;
 }
 
 ordered_json joint_json(const LinkShapes& shown, const JointShape& joint) {
@@ -132,7 +135,7 @@ ordered_json parts_json(const PartOptions& told) {
   if (order.kerf > 0) table["kerf"] = order.kerf;
   if (order.bearing) table["bearing"] = order.bearing->designation;
   for (std::size_t i = 0; i < told.made.parts.size(); ++i) {
-    table["parts"].push_back(part_json(told, i));
+    if (!told.made.parts[i].cylinder) table["parts"].push_back(part_json(told, i));
   }
   for (const PartPin& pin : told.made.pins) table["pins"].push_back(pin_json(told, pin));
   if (const auto height = stack_height(told.layers.count, order)) {

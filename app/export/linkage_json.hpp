@@ -25,8 +25,8 @@ struct PartOptions {
 };
 
 /// `type`; `dimensions`; `links` (name, places of their joints and points in their own axes, the
-/// distances of these, slots); `joints` (name, type, links); `position` (`drive`, in degrees or a
-/// length, and where every place is there); `paths` (polygons).
+/// distances of these, slots, layer); `joints` (name, type, links); `position` (`drive`, in degrees
+/// or a length, and where every place is there); `paths` (polygons).
 nlohmann::ordered_json linkage_json(const LinkageScene& linkage, const LinkShapes& shown,
                                     std::span<const BodyMotion<double, 0>> bodies, double drive,
                                     const std::vector<PointPath>& paths);

@@ -1,7 +1,12 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
+#include "analysis/numbers/constants.hpp"
 #include "app/export/export_solids.hpp"
 #include "app/export/offset_outline.hpp"
 
@@ -20,8 +25,19 @@ class LinkageSolids {
       : parts_(parts), bodies_(bodies) {}
 
   std::vector<Solid> make() {
-    for (std::size_t i = 0; i < parts_.made.parts.size(); ++i) add_plate(i);
-    for (const PartPin& pin : parts_.made.pins) add_pin(pin);
+    for (std::size_t i = 0; i < parts_.made.parts.size(); ++i) {
+      if (!parts_.made.parts[i].cylinder) add_plate(i);
+    }
+    for (const PartPin& pin : parts_.made.pins) {
+      const PinStack stack = pin_stack(pin, parts_.layers);
+      if (stack.low == 0) continue;
+      if (parts_.order.screw) {
+        add_screw(pin, stack);
+      } else {
+        add_pin(pin, stack);
+      }
+      if (parts_.order.washer_outside > 0) add_washers(pin, stack);
+    }
     if (parts_.order.bearing) {
       for (const PartPin& pin : parts_.made.pins) add_bearings(pin);
     }
@@ -75,21 +91,66 @@ class LinkageSolids {
     solid.holes.push_back({circle_loop(hole.at, 0.5 * hole.diameter), low, high});
   }
 
-  void add_pin(const PartPin& pin) {
-    const PinStack stack = pin_stack(pin, parts_.layers);
-    if (stack.low == 0) return;
+  void add_pin(const PartPin& pin, const PinStack& stack) {
     Solid solid{.name = "pin " + pin.name, .at = placed(pin.at)};
     solid.material.push_back(
         {circle_loop({}, 0.5 * parts_.order.hole), low_of(stack.low), high_of(stack.high)});
     solids_.push_back(std::move(solid));
   }
 
+  /// The screw with its head below, without threads, and the nut.
+  void add_screw(const PartPin& pin, const PinStack& stack) {
+    const Screw& screw = *parts_.order.screw;
+    const auto [length, beyond, too_long] = screw_of(stack, parts_.order);
+    const double seat = low_of(stack.low) - screw.washer_thickness;
+    const double face = high_of(stack.high) + screw.washer_thickness;
+    Solid bolt{.name = "screw " + pin.name, .at = placed(pin.at)};
+    bolt.material.push_back({circle_loop({}, 0.5 * screw.diameter), seat, seat + length});
+    bolt.material.push_back(
+        {circle_loop({}, 0.5 * screw.head_diameter), seat - screw.head_height, seat});
+    solids_.push_back(std::move(bolt));
+    Solid nut{.name = "nut " + pin.name, .at = placed(pin.at)};
+    nut.material.push_back({hexagon(screw.nut_width), face, face + screw.nut_height});
+    nut.holes.push_back({circle_loop({}, 0.5 * screw.diameter), face, face + screw.nut_height});
+    solids_.push_back(std::move(nut));
+  }
+
+  static SolidLoop hexagon(double across_flats) {
+    constexpr int kSides = 6;
+    SolidLoop loop;
+    for (int i = 0; i < kSides; ++i) {
+      const double angle = i * kTurn / kSides;
+      loop.corners.push_back(
+          {across_flats / std::numbers::sqrt3 * Vec2d{std::cos(angle), std::sin(angle)}});
+    }
+    return loop;
+  }
+
+  void add_washers(const PartPin& pin, const PinStack& stack) {
+    const PartOrder& order = parts_.order;
+    std::vector<double> faces;
+    if (order.screw) faces = {low_of(stack.low) - order.washer, high_of(stack.high)};
+    for (const int gap : washer_gaps(pin, parts_.made, parts_.layers, order)) {
+      faces.push_back(high_of(gap));
+    }
+    const double bore = order.screw ? order.screw->hole : order.hole;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      add_tube(fmt::format("washer {} {}", pin.name, i + 1), pin, faces[i],
+               {order.washer_outside, bore, order.washer});
+    }
+  }
+
   /// A ring about the pin, its height about the middle of a layer.
   void add_ring(const std::string& name, const PartPin& pin, int layer,
                 const std::array<double, 3>& sizes) {
-    const auto [outside, bore, width] = sizes;
-    const double middle = low_of(layer) + 0.5 * thickness();
-    const double low = middle - 0.5 * width, high = middle + 0.5 * width;
+    add_tube(name, pin, low_of(layer) + 0.5 * (thickness() - sizes[2]), sizes);
+  }
+
+  /// Outside diameter, bore and height, from the height `low` on.
+  void add_tube(const std::string& name, const PartPin& pin, double low,
+                const std::array<double, 3>& sizes) {
+    const auto [outside, bore, height] = sizes;
+    const double high = low + height;
     Solid solid{.name = name, .at = placed(pin.at)};
     solid.material.push_back({circle_loop({}, 0.5 * outside), low, high});
     solid.holes.push_back({circle_loop({}, 0.5 * bore), low, high});

@@ -8,6 +8,18 @@
 #include "app/console/option_text.hpp"
 
 namespace cognate::app {
+namespace {
+
+/// Two lengths with an x between; empty where the text is none.
+std::optional<Vec2d> two_lengths(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos) return std::nullopt;
+  const auto first = parse_length("", text.substr(0, cross));
+  const auto second = parse_length("", text.substr(cross + 1));
+  return first && second ? std::optional(Vec2d{*first, *second}) : std::nullopt;
+}
+
+}  // namespace
 
 tl::expected<ExportFormat, std::string> parse_format(std::string_view text) {
   const auto found = std::ranges::find(kExportFormats, text, &FormatDeclaration::word);
@@ -62,13 +74,19 @@ tl::expected<double, std::string> parse_length_or_0(std::string_view option,
 }
 
 tl::expected<Vec2d, std::string> parse_sheet(const std::string& text) {
-  const std::size_t cross = text.find('x');
-  if (cross != std::string::npos) {
-    const auto width = parse_length("--sheet", text.substr(0, cross));
-    const auto height = parse_length("--sheet", text.substr(cross + 1));
-    if (width && height) return Vec2d{*width, *height};
-  }
+  if (const auto sizes = two_lengths(text)) return *sizes;
   return refusal("--sheet", text, "a width and a height such as 600x400");
+}
+
+tl::expected<Vec2d, std::string> parse_washer(const std::string& text) {
+  if (const auto thickness = parse_length("--washer", text)) return Vec2d{*thickness, 0};
+  if (const auto sizes = two_lengths(text)) return *sizes;
+  return refusal("--washer", text, "a thickness, or one with an outside diameter such as 1x10");
+}
+
+tl::expected<std::optional<Screw>, std::string> parse_screw(std::string_view text) {
+  if (const auto screw = screw_called(text)) return screw;
+  return refusal("--screw", text, screw_designations());
 }
 
 tl::expected<PartLabels, std::string> parse_labels(std::string_view text) {

@@ -11,6 +11,7 @@
 #include "analysis/layers/collisions.hpp"
 #include "app/documents/csv.hpp"
 #include "app/export/part_sheet.hpp"
+#include "app/export/screw_room.hpp"
 
 namespace cognate::app {
 namespace {
@@ -27,7 +28,7 @@ class SpacerFinder {
       : moving_(moving), made_(made), layers_(layers), order_(order) {
     for (const PartPin& pin : made.pins) stacks_.push_back(pin_stack(pin, layers));
     for (const LinkPart& part : made.parts) {
-      plates_.push_back({part.link, part.hull, part.rim});
+      plates_.push_back({part.link, part.hull, part.rim, part.on_rod});
     }
   }
 
@@ -100,8 +101,16 @@ class BillMaker {
 
  private:
   void add_plate(std::size_t i) {
-    const Vec2d size = part_size(made_.parts[i]);
     const int layer = layers_.layers[i];
+    if (const auto& cylinder = made_.parts[i].cylinder) {
+      bill_.rows.push_back({.item = "cylinder",
+                            .name = made_.parts[i].name,
+                            .layers = {layer},
+                            .length = cylinder->least,
+                            .stroke = cylinder->greatest - cylinder->least});
+      return;
+    }
+    const Vec2d size = part_size(made_.parts[i]);
     bill_.rows.push_back({.item = "plate",
                           .name = made_.parts[i].name,
                           .layers = {layer},
@@ -112,11 +121,39 @@ class BillMaker {
 
   void add_pin(const PartPin& pin) {
     const PinStack stack = pin_stack(pin, layers_);
+    if (order_.screw) {
+      add_screw(pin, stack);
+      return;
+    }
     bill_.rows.push_back({.item = "pin",
                           .name = pin.name,
                           .layers = {stack.low, stack.high},
                           .length = stack_height(stack.high - stack.low + 1, order_),
                           .outside = order_.hole});
+  }
+
+  void add_screw(const PartPin& pin, const PinStack& stack) {
+    const Screw& screw = *order_.screw;
+    const auto [length, beyond, too_long] = screw_of(stack, order_);
+    const double own = screw_called(screw.designation)->diameter;
+    bill_.rows.push_back({.item = "screw",
+                          .name = pin.name,
+                          .layers = {stack.low, stack.high},
+                          .length = length,
+                          .outside = screw.diameter,
+                          .standard = fmt::format("ISO 4762 {}x{:.6g}", screw.designation,
+                                                  length * own / screw.diameter)});
+    bill_.rows.push_back({.item = "nut",
+                          .name = pin.name,
+                          .layers = {stack.high},
+                          .width = screw.nut_width,
+                          .thickness = screw.nut_height,
+                          .standard = fmt::format("ISO 7040 {}", screw.designation)});
+    if (!too_long) return;
+    bill_.rows[bill_.rows.size() - 2].standard.clear();
+    bill_.notes.push_back(
+        fmt::format("no screw {} of ISO 4762 is so long as the stack of {} needs: {:.6g}",
+                    screw.designation, pin.name, length));
   }
 
   void add_spacers(const SpacerFinder& finder) {
@@ -148,13 +185,19 @@ class BillMaker {
   void add_washers() {
     for (const PartPin& pin : made_.pins) {
       const PinStack stack = pin_stack(pin, layers_);
-      if (stack.high == stack.low) continue;
-      bill_.rows.push_back({.item = "washer",
-                            .name = pin.name,
-                            .quantity = stack.high - stack.low,
-                            .layers = {stack.low, stack.high},
-                            .thickness = order_.washer,
-                            .bore = order_.hole});
+      const auto& screw = order_.screw;
+      const int between = static_cast<int>(washer_gaps(pin, made_, layers_, order_).size());
+      const int quantity = between + (screw ? 2 : 0);
+      if (quantity == 0) continue;
+      BillRow row{.item = "washer",
+                  .name = pin.name,
+                  .quantity = quantity,
+                  .layers = {stack.low, stack.high},
+                  .thickness = order_.washer,
+                  .bore = screw ? screw->hole : order_.hole};
+      if (order_.washer_outside > 0) row.outside = order_.washer_outside;
+      if (screw) row.standard = "ISO 7089 " + std::string(screw->designation);
+      bill_.rows.push_back(std::move(row));
     }
   }
 
@@ -167,7 +210,8 @@ class BillMaker {
                           .quantity = count,
                           .thickness = bearing.width,
                           .outside = bearing.outside,
-                          .bore = bearing.bore});
+                          .bore = bearing.bore,
+                          .standard = "ISO 15"});
     const double room = order_.thickness.value_or(bearing.width) + order_.washer;
     if (bearing.width > room * (1 + 1e-9)) {
       bill_.notes.push_back(fmt::format(
@@ -191,11 +235,12 @@ std::string layers_text(const BillRow& row) {
 }
 
 using Length = std::pair<const char*, std::optional<double> BillRow::*>;
-constexpr std::array<Length, 5> kLengths = {{{"length", &BillRow::length},
+constexpr std::array<Length, 6> kLengths = {{{"length", &BillRow::length},
                                              {"width", &BillRow::width},
                                              {"thickness", &BillRow::thickness},
                                              {"outside", &BillRow::outside},
-                                             {"bore", &BillRow::bore}}};
+                                             {"bore", &BillRow::bore},
+                                             {"stroke", &BillRow::stroke}}};
 
 }  // namespace
 
@@ -210,6 +255,36 @@ PinStack pin_stack(const PartPin& pin, const PartLayers& layers) {
   return stack;
 }
 
+std::vector<int> washer_gaps(const PartPin& pin, const LinkParts& made, const PartLayers& layers,
+                             const PartOrder& order) {
+  std::vector<int> parts = pin.parts, gaps;
+  const auto layer_of = [&](int part) { return layers.layers[static_cast<std::size_t>(part)]; };
+  const auto has_hole = [&](int part) {
+    const auto& holes = made.parts[static_cast<std::size_t>(part)].holes;
+    return std::ranges::find(holes, pin.name, &PartHole::name) != holes.end();
+  };
+  std::ranges::sort(parts, {}, layer_of);
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+    int low = layer_of(parts[i]), high = layer_of(parts[i + 1]);
+    if (order.boss && has_hole(parts[i])) {
+      low = high - 1;
+    } else if (order.boss && has_hole(parts[i + 1])) {
+      high = low + 1;
+    }
+    for (int gap = low; gap < high; ++gap) gaps.push_back(gap);
+  }
+  return gaps;
+}
+
+ScrewChoice screw_of(const PinStack& stack, const PartOrder& order) {
+  const Screw& screw = *order.screw;
+  const double clamped =
+      *stack_height(stack.high - stack.low + 1, order) + 2 * screw.washer_thickness;
+  const double least = clamped + screw.nut_height + screw.pitch;
+  const auto length = screw_length(screw, least);
+  return {length.value_or(least), length.value_or(least) - clamped, !length};
+}
+
 std::optional<double> stack_height(int layers, const PartOrder& order) {
   if (!order.thickness) return std::nullopt;
   return layers * *order.thickness + (layers - 1) * order.washer;
@@ -217,7 +292,11 @@ std::optional<double> stack_height(int layers, const PartOrder& order) {
 
 PartBill part_bill(const PartMotion& moving, const LinkParts& made, const PartLayers& layers,
                    const PartOrder& order) {
-  return BillMaker(made, layers, order).make(SpacerFinder(moving, made, layers, order));
+  PartBill bill = BillMaker(made, layers, order).make(SpacerFinder(moving, made, layers, order));
+  for (std::string& note : screw_room_notes(moving, made, layers, order)) {
+    bill.notes.push_back(std::move(note));
+  }
+  return bill;
 }
 
 bool rings_fit(const PartMotion& moving, const LinkParts& made, const PartLayers& layers,
@@ -242,7 +321,7 @@ std::string bill_csv(const PartBill& bill, std::optional<problems::LengthUnit> u
   const std::string suffix = unit ? "_" + std::string(problems::length_word(unit)) : "";
   std::string text = "item,name,quantity,layers";
   for (const auto& [name, member] : kLengths) text += fmt::format(",{}{}", name, suffix);
-  text += "\r\n";
+  text += ",standard\r\n";
   const auto out = std::back_inserter(text);
   for (const BillRow& row : bill.rows) {
     fmt::format_to(out, "{},{},{},{}", row.item, csv_cell(row.name), row.quantity,
@@ -254,7 +333,7 @@ std::string bill_csv(const PartBill& bill, std::optional<problems::LengthUnit> u
         text += ',';
       }
     }
-    text += "\r\n";
+    text += ',' + row.standard + "\r\n";
   }
   return text;
 }
@@ -267,6 +346,7 @@ ordered_json bill_json(const PartBill& bill) {
     for (const auto& [name, member] : kLengths) {
       if (row.*member) entry[name] = *(row.*member);
     }
+    if (!row.standard.empty()) entry["standard"] = row.standard;
     rows.push_back(std::move(entry));
   }
   return rows;

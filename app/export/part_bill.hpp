@@ -14,13 +14,15 @@ namespace cognate::app {
 
 /// What has to be made or bought, in finished sizes; lengths that are not known are empty.
 struct BillRow {
-  std::string item;  ///< plate, pin, spacer, washer, bearing
+  std::string item;  ///< plate, cylinder, pin, screw, nut, spacer, washer, bearing
   std::string name;  ///< of the part, the pin, or the bearing's designation
   int quantity = 1;
   std::vector<int> layers;              ///< from 1, ascending; of a pin the first and the last
   std::optional<double> length, width;  ///< of the rectangle about a plate; of a pin its length
   std::optional<double> thickness;      ///< of bearings their width
   std::optional<double> outside, bore;  ///< diameters
+  std::optional<double> stroke{};       ///< of a cylinder, whose length is the least, pivot to pin
+  std::string standard{};               ///< with its size: "ISO 4762 M5x30"
 };
 
 struct PartBill {
@@ -36,11 +38,28 @@ struct PinStack {
 };
 PinStack pin_stack(const PartPin& pin, const PartLayers& layers);
 
+/// The gaps between layers in which a pin has a washer, each by the layer below it: all from its
+/// lowest to its highest part, but where a boss joins two parts only the one that it leaves.
+std::vector<int> washer_gaps(const PartPin& pin, const LinkParts& made, const PartLayers& layers,
+                             const PartOrder& order);
+
+/// The screw in the place of a pin.
+struct ScrewChoice {
+  double length = 0;  ///< nominal; with `too_long` what it would have to be
+  double beyond = 0;  ///< its end above the washer that is under the nut
+  bool too_long = false;
+};
+
+/// The shortest screw of the order that passes the stack, two washers and the nut, with a pitch to
+/// spare.
+ScrewChoice screw_of(const PinStack& stack, const PartOrder& order);
+
 /// How high so many layers are, with the washers between them; empty without a thickness.
 std::optional<double> stack_height(int layers, const PartOrder& order);
 
-/// Plates, pins as long as the stack that they pass, spacers in the layers that pins cross, washers
-/// between layers, and bearings. All spacers are as wide as the links, or less where one would
+/// Plates, a driving cylinder, pins as long as the stack that they pass or screws with their nuts,
+/// spacers in the layers that pins cross, washers between layers and under heads and nuts, and
+/// bearings. All spacers are as wide as the links, or less where one would
 /// collide with a part or another spacer anywhere on the motion; a note says where none fits.
 PartBill part_bill(const PartMotion& moving, const LinkParts& made, const PartLayers& layers,
                    const PartOrder& order);
@@ -54,8 +73,8 @@ bool rings_fit(const PartMotion& moving, const LinkParts& made, const PartLayers
 void add_spacer_parts(const PartBill& bill, const PartOrder& order, LinkParts& made,
                       PartLayers& layers);
 
-/// `item`, `name`, `quantity`, `layers`, `length`, `width`, `thickness`, `outside`, `bore`: units
-/// in the header.
+/// `item`, `name`, `quantity`, `layers`, `length`, `width`, `thickness`, `outside`, `bore`,
+/// `stroke`, `standard`: units in the header.
 std::string bill_csv(const PartBill& bill, std::optional<problems::LengthUnit> unit);
 
 /// The rows as objects of what is known.

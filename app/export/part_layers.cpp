@@ -39,7 +39,7 @@ class ConflictFinder {
  public:
   ConflictFinder(const LinkParts& made, const PartOrder& order) : made_(made), apart_(order.apart) {
     for (const LinkPart& part : made.parts) {
-      plates_.push_back({part.link, part.hull, part.rim});
+      plates_.push_back({part.link, part.hull, part.rim, part.on_rod});
     }
     for (const PartPin& pin : made.pins) {
       plates_.push_back({pin.at.body, {pin.at.at}, 0.5 * order.hole});

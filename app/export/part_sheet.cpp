@@ -133,7 +133,13 @@ class SheetMaker {
         layers_(layers),
         order_(order),
         beam_(0.5 * order.kerf),
-        gap_(order.gap.value_or(0.5 * order.width)) {}
+        gap_(order.gap.value_or(0.5 * order.width)) {
+    for (std::size_t i = 0; i < made.parts.size(); ++i) {
+      if (!made.parts[i].cylinder) cut_.push_back(i);
+    }
+    sheet_.places.resize(made.parts.size());
+    labels_.resize(made.parts.size());
+  }
 
   tl::expected<PartSheet, std::string> make() {
     sheet_.plan.title = "Parts";
@@ -144,7 +150,7 @@ class SheetMaker {
       sheet_.plan.layers.push_back({"ENGRAVE", PlanColour::green});
     }
     if (const auto why = order_.sheet ? nest_parts() : lay_in_rows()) return tl::unexpected(*why);
-    for (std::size_t i = 0; i < made_.parts.size(); ++i) draw(i);
+    for (const std::size_t i : cut_) draw(i);
     fit_to_shapes(sheet_.plan);
     return std::move(sheet_);
   }
@@ -172,14 +178,12 @@ class SheetMaker {
   Refusal lay_in_rows() {
     std::vector<LaidPart> parts;
     std::vector<Box> boxes;
-    for (std::size_t i = 0; i < made_.parts.size(); ++i) {
+    for (const std::size_t i : cut_) {
       parts.push_back(laid(i, lying(made_.parts[i].hull)));
       boxes.push_back(parts.back().box);
     }
     const auto corners = rows_of(boxes, gap_);
-    sheet_.places.resize(parts.size());
-    labels_.resize(parts.size());
-    for (std::size_t i = 0; i < parts.size(); ++i) put(i, parts[i], corners[i], 1);
+    for (std::size_t k = 0; k < cut_.size(); ++k) put(cut_[k], parts[k], corners[k], 1);
     return std::nullopt;
   }
 
@@ -188,7 +192,7 @@ class SheetMaker {
     std::vector<std::array<LaidPart, 2>> parts;
     std::vector<NestItem> items;
     double area = 0;
-    for (std::size_t i = 0; i < made_.parts.size(); ++i) {
+    for (const std::size_t i : cut_) {
       const Vec2d direction = tight(made_.parts[i]);
       const LaidPart flat = laid(i, direction);
       const bool is_text = order_.labels == PartLabels::text;  // which is never turned
@@ -205,11 +209,10 @@ class SheetMaker {
       area += area_of(made_.parts[i]);
     }
     const auto nesting = nest(items, *order_.sheet, gap_);
-    sheet_.places.resize(parts.size());
-    labels_.resize(parts.size());
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      const NestPlace& place = nesting->places[i];
-      put(i, parts[i].at(place.choice), place.corner + sheet_corner(place.sheet), place.sheet + 1);
+    for (std::size_t k = 0; k < cut_.size(); ++k) {
+      const NestPlace& place = nesting->places[k];
+      put(cut_[k], parts[k].at(place.choice), place.corner + sheet_corner(place.sheet),
+          place.sheet + 1);
     }
     sheet_.sheets = nesting->sheets;
     sheet_.utilisation = area / (nesting->sheets * order_.sheet->x * order_.sheet->y);
@@ -280,6 +283,7 @@ class SheetMaker {
   const PartLayers& layers_;
   const PartOrder& order_;
   double beam_, gap_;
+  std::vector<std::size_t> cut_;  ///< the parts that are not bought
   PartSheet sheet_;
   std::vector<PartLabel> labels_;  ///< of each part, in its turned axes
 };

@@ -18,7 +18,7 @@ struct PartPlace {
 };
 
 struct PartSheet {
-  std::vector<PartPlace> places;  ///< of each part
+  std::vector<PartPlace> places;  ///< of each part that is cut
   int sheets = 1;
   double utilisation = 0;  ///< what share of the sheets the parts take; 0 without a sheet's size
   Plan plan;

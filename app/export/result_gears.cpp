@@ -73,7 +73,10 @@ Made gear_of(const ResultDesign& given) {
                    problem->length_unit,
                    {},
                    {}};
-  made.gears = {{"", section, {}, 0, gear::reference_radius(section)}};
+  made.gears = {{.section = section,
+                 .pitch_radius = gear::reference_radius(section),
+                 .helix = problem->gear.helix}};
+  if (problem->gear.face_width > 0) made.face_width = problem->gear.face_width;
   return made;
 }
 
@@ -103,7 +106,8 @@ ResultGears head_of_gears(const GearPairProblem& problem) {
           std::string(problems::to_string(problem.gearing)),
           problem.length_unit,
           {},
-          {}};
+          {},
+          problem.face_width > 0 ? std::optional(problem.face_width) : std::nullopt};
 }
 
 Made in_mesh(const GearPairProblem& problem, const gear::SpurPair& pair) {
@@ -114,9 +118,16 @@ Made in_mesh(const GearPairProblem& problem, const gear::SpurPair& pair) {
         "its base circles overlap, so the gears do not mesh; expected a greater centre_distance"));
   }
   ResultGears made = head_of_gears(problem);
-  made.gears = {{"pinion", pair.gears[0], {}, 0, contact.gears[0].working_radius},
-                {"wheel", pair.gears[1], mesh.wheel_centre, mesh.wheel_angle,
-                 contact.gears[1].working_radius}};
+  made.gears = {{.name = "pinion",
+                 .section = pair.gears[0],
+                 .pitch_radius = contact.gears[0].working_radius,
+                 .helix = problem.helix},
+                {.name = "wheel",
+                 .section = pair.gears[1],
+                 .centre = mesh.wheel_centre,
+                 .angle = mesh.wheel_angle,
+                 .pitch_radius = contact.gears[1].working_radius,
+                 .helix = -problem.helix}};
   note_contact(contact, made);
   return made;
 }

@@ -20,11 +20,14 @@ struct SolidLoop {
 
 SolidLoop circle_loop(const Vec2d& centre, double radius);
 
-/// What `loop` encloses, less what `hollow` within it does, from the height `low` to `high`.
+/// What `loop` encloses, less what `hollow` within it does, from the height `low` to `high`. With a
+/// twist, which no hollow goes with, the section turns by it evenly, counter-clockwise about the
+/// origin, from `low` to `high`.
 struct SolidPrism {
   SolidLoop loop;
   double low = 0, high = 0;
   std::optional<SolidLoop> hollow{};
+  double twist = 0;
 };
 
 /// The material of prisms together less holes, in axes of its own, which stand in the assembly

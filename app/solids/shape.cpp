@@ -12,12 +12,14 @@
 #include <gp_Vec.hxx>
 #include <stdexcept>
 
+#include "app/solids/twisted.hpp"
 #include "app/solids/wire.hpp"
 
 namespace cognate::app {
 namespace {
 
 TopoDS_Shape prism_of(const SolidPrism& prism, double millimetres) {
+  if (prism.twist != 0) return twisted_prism(prism, millimetres);
   const double low = millimetres * prism.low, high = millimetres * prism.high;
   BRepBuilderAPI_MakeFace face(wire_of(prism.loop, low, millimetres), true);
   if (prism.hollow) face.Add(TopoDS::Wire(wire_of(*prism.hollow, low, millimetres).Reversed()));

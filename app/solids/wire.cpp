@@ -21,9 +21,6 @@ namespace {
 
 constexpr double kSmoothTurn = 20 * kTurn / 360;
 
-// Of millimetres: what is nearer is one point to OpenCASCADE.
-constexpr double kOnePoint = 1e-7;
-
 /// A line, an arc, or a curve through more than two corners.
 class WireMaker {
  public:

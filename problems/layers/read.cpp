@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "analysis/layers/plates.hpp"
 #include "analysis/layers/stacking.hpp"
 #include "analysis/mechanism/joints.hpp"
 #include "problems/layers/keys.hpp"
@@ -65,12 +66,9 @@ LayerSizes read_sizes(TableReader& document, std::span<const std::string> links,
 
 std::optional<LayerSizes> read_layers(TableReader& document, const NamedMechanism& mechanism) {
   if (!document.has(kLayersTable)) return std::nullopt;
-  if (has_driving_cylinder(mechanism)) {
-    document.fault(kLayersTable,
-                   "is given for a mechanism that a cylinder drives, whose rod and barrel are no "
-                   "plates; remove it");
-  }
-  return read_sizes(document, std::span(mechanism.bodies).subspan(1), least_links(mechanism));
+  // A rod lies in its cylinder and has no width of its own.
+  const std::size_t first = has_driving_cylinder(mechanism) ? kDrivingCylinder : 1;
+  return read_sizes(document, std::span(mechanism.bodies).subspan(first), least_links(mechanism));
 }
 
 std::optional<DesignLayers> read_design_layers(TableReader& document, TableReader& constraints,

@@ -14,6 +14,8 @@ import sys
 import tempfile
 import unittest
 
+from sampled_layers import SampledLayers
+
 try:
     import jsonschema
 except ImportError:
@@ -183,16 +185,54 @@ class CylinderDrive(unittest.TestCase):
                 self.assertIn(key, said)
                 self.assertIn(words, said)
 
-    def test_no_plates(self):
-        layers = DUMP % (2, 0.7, 1.5, 2.5) + "[layers]\nlink_width = 0.1\npin_diameter = 0.05\n"
-        self.assertIn("rod and barrel are no plates", self.refusal(layers))
-        file = self.write(DUMP % (2, 0.7, 1.5, 2.5))
-        done = self.run_program("analyze", file, "--out", self.folder, "--quiet")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        parts = ("--parts", "--hole", 0.02, "--width", 0.1, "--thickness", 0.01)
-        done = self.run_program("export", self.folder / "written.result.json", "--format", "json", *parts)
-        self.assertEqual(done.returncode, 2)
-        self.assertIn("driving cylinder are no plates", done.stderr)
+    def with_layers(self, name, width, more=""):
+        text = (LIBRARY / "analysis" / f"{name}.toml").read_text()
+        return self.write(text + f"\n[layers]\nlink_width = {width}\npin_diameter = {width / 2}\nclearance = 0.005\n"
+                                 f"thickness = 0.03\n{more}")
+
+    def test_a_cylinder_with_its_rod_has_a_layer(self):
+        counts = []
+        for name, lengths in (("excavator-bucket", (1.25, 2.05)), ("dump-body", (1.45, 3.1))):
+            for width, own in ((0.05, 0.05), (0.12, 0.3)):
+                with self.subTest(name, width=width):
+                    document = self.analyze(self.with_layers(name, width, f"widths = {{cylinder = {own}}}\n"))
+                    layers = document["designs"][0]["layers"]
+                    layer_of = {link["name"]: link["layer"] for link in layers["links"]}
+                    self.assertNotIn("rod", layer_of)
+                    samples = SampledLayers(document["problem"]["mechanism"], document["problem"]["layers"], 720, lengths)
+                    self.assertEqual(set(layer_of), set(samples.links))
+                    self.assertEqual(samples.fewest(1e-4), layers["count"])
+                    if layers["count"]:
+                        self.assertGreater(samples.least_room(layer_of), -1e-9)
+                    counts.append(layers["count"])
+        self.assertEqual(counts, [3, 4, 2, 2])
+        self.assertIn("rod", self.refusal(self.with_layers("dump-body", 0.1, "widths = {rod = 0.05}\n").read_text()))
+
+    def test_a_cylinder_is_bought(self):
+        for name, lengths, links in (("excavator-bucket", (1.25, 2.05), {"rocker", "link", "bucket"}),
+                                     ("dump-body", (1.45, 3.1), {"body"})):
+            file = self.with_layers(name, 0.05)
+            problem = self.analyze(file)["problem"]
+            done = self.run_program("analyze", file, "--out", self.folder, "--quiet")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            made = self.folder / name
+            done = self.run_program("export", self.folder / "written.result.json", "--format", "json", "--parts", "--bill",
+                                    "--out", made)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("cylinder with rod is bought", done.stdout + done.stderr)
+            document = json.loads((made / "written.parts.json").read_text())
+            self.assertEqual({part["name"] for part in document["parts"]}, links | {"frame"})
+            (cylinder,) = [row for row in document["bill"] if row["item"] == "cylinder"]
+            self.assertAlmostEqual(cylinder["length"], lengths[0], 12)
+            self.assertAlmostEqual(cylinder["stroke"], lengths[1] - lengths[0], 12)
+            rows = list(csv.DictReader(io.StringIO((made / "written.bill.csv").read_text())))
+            (row,) = [row for row in rows if row["item"] == "cylinder"]
+            self.assertEqual((row["name"], float(row["stroke_m"])), ("cylinder", cylinder["stroke"]))
+            # Both eyes are on pins; with the frame as layer 1 nothing collides.
+            self.assertEqual({pin["name"] for pin in document["pins"] if "cylinder" in pin["parts"]}, {"G", "P"})
+            layer_of = {part["name"]: part["plane"] - 1 for part in document["parts"]} | {"cylinder": cylinder["layers"][0] - 1}
+            samples = SampledLayers(problem["mechanism"], problem["layers"], 720, lengths)
+            self.assertGreater(samples.least_room(layer_of), -1e-9)
 
 
 if __name__ == "__main__":

@@ -121,6 +121,18 @@ class ExportLinkages(ExportedLinkages):
                         compared += 1
         self.assertGreater(compared, 1000)
 
+    def test_links_are_drawn_on_their_layers(self):
+        for name in ("klann-leg", "jansen-leg"):
+            layers = json.loads(self.named(name).read_text())["designs"][0]["layers"]
+            layer_of = {link["name"]: link["layer"] for link in layers["links"]}
+            drawn = {link["name"]: link.get("layer") for link in self.document(self.named(name))["links"]}
+            self.assertEqual(drawn, layer_of | {"frame": None})
+            drawing = ezdxf.readfile(self.export(self.named(name), "dxf"))
+            for layer in range(1, layers["count"] + 1):
+                self.assertEqual(len(drawing.modelspace().query(f'*[layer=="LINKS_{layer}"]')),
+                                 list(layer_of.values()).count(layer))
+        self.assertNotIn("LINKS_1", self.export(self.named("shaper"), "dxf").read_text())
+
     def test_svg_shows_what_dxf_does(self):
         for result in self.results:
             with self.subTest(result.name):

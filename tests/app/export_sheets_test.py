@@ -273,6 +273,69 @@ class ExportSheets(ExportedLinkages):
         self.assertIn("--hole: 6 is not the bore", self.refusal(result, *parts, "623", "--hole", 6))
         self.assertIn("--length-unit", self.refusal(self.named("crank-rocker"), *parts, "623"))
 
+    def test_screws_take_the_place_of_pins(self):
+        # Of each by its standard: hole, nut's height and width, washer's outside diameter and thickness, pitch.
+        sizes = {"M5": (5.3, 6.8, 8, 10, 1, 0.8), "M6": (6.4, 8, 10, 12, 1.6, 1), "M10": (10.5, 11.9, 16, 20, 2, 1.5)}
+        lengths = [10, 12, 16, 20, 25, 30, 35, 40, 45, 50, 55, 60]
+        result = self.in_millimetres()
+        for name, (hole, nut, flats, outside, washer, pitch) in sizes.items():
+            document, space = self.sheet(result, "--parts", "--width", 26, "--screw", name, "--thickness", 4)
+            self.assertEqual({2 * c.dxf.radius for c in space.query('CIRCLE[layer=="HOLES"]')}, {hole})
+            rows = {(row["item"], row["name"]): row for row in document["bill"]}
+            for pin in document["pins"]:
+                low, high = pin["planes"]
+                clamped = 4 * (high - low + 1) + washer * (high - low + 2)
+                screw, turned, washers = (rows[item, pin["name"]] for item in ("screw", "nut", "washer"))
+                wanted = next(length for length in lengths if length >= clamped + nut + pitch)
+                self.assertEqual((screw["length"], screw["standard"]), (wanted, f"ISO 4762 {name}x{wanted}"))
+                self.assertEqual((turned["thickness"], turned["width"], turned["standard"]), (nut, flats, f"ISO 7040 {name}"))
+                self.assertEqual(washers["quantity"], high - low + 2)
+                self.assertEqual([washers[key] for key in ("outside", "bore", "thickness", "standard")],
+                                 [outside, hole, washer, f"ISO 7089 {name}"])
+            self.assertFalse(any(row["item"] == "pin" for row in document["bill"]))
+        document, _ = self.sheet(result, "--parts", "--width", 26, "--screw", "M8", "--bearing", "608", "--thickness", 7)
+        self.assertEqual(document["hole"], 8)
+
+    def test_screws_that_do_not_fit(self):
+        result = self.in_millimetres()
+        order = ("--format", "json", "--parts", "--width", 26)
+        for more, message in [(("--screw", "M7", "--thickness", 4), "M3, M4, M5, M6, M8, M10, M12 or M16"),
+                              (("--screw", "M5"), "expected --thickness T with it"),
+                              (("--screw", "M5", "--thickness", 4, "--hole", 4.9), "too small for the screw M5; allowed is 5"),
+                              (("--screw", "M5", "--thickness", 4, "--hole", 10), "washers of 10 fall through"),
+                              (("--screw", "M5", "--thickness", 4, "--washer", 1), "expected --screw without --washer"),
+                              (("--hole", 5, "--washer", "1x"), "an outside diameter such as 1x10"),
+                              (("--hole", 5, "--washer", "1x5"), "washers of 5 fall through")]:
+            self.assertIn(message, self.refusal(result, *order, *more))
+        self.assertIn("--length-unit", self.refusal(self.named("crank-rocker"), *order, "--screw", "M5", "--thickness", 4))
+        done = run("export", result, *order, "--screw", "M3", "--thickness", 20, "--out", "long", cwd=self.folder)
+        self.assertIn("no screw M3 of ISO 4762 is so long", done.stdout + done.stderr)
+
+    def test_nuts_and_heads_without_room_are_named(self):
+        """Against samples of an own four-bar: the nut of A, which lies in the coupler's layer, and the others."""
+        def noted(*options):
+            done = run("export", self.in_millimetres(), "--format", "json", "--parts", "--width", 20, "--thickness", 6, *options,
+                       "--out", "noted", "--json", cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return " ".join(json.loads(done.stdout).get("notes", []))
+
+        document, _ = self.sheet(self.in_millimetres(), "--parts", "--width", 20, "--thickness", 6, "--screw", "M6")
+        plane = {part["name"]: part["plane"] for part in document["parts"]}
+        least = math.inf
+        for k in range(720):
+            b = 40 * complex(math.cos(math.pi * k / 360), math.sin(math.pi * k / 360))
+            way = 80 - b
+            along = (90 ** 2 - 80 ** 2 + abs(way) ** 2) / (2 * abs(way))
+            c = b + way / abs(way) * complex(along, math.sqrt(90 ** 2 - along ** 2))
+            least = min(least, distance_to_segment((0, 0), (b.real, b.imag), (c.real, c.imag)))
+        self.assertEqual((plane["frame"], plane["crank"], plane["coupler"]), (1, 2, 3))
+        self.assertLess(least, 10 / math.sqrt(3) + 10)
+        self.assertIn("the nut of A and coupler", noted("--screw", "M6"))
+        self.assertNotIn("no room", noted("--hole", 6, "--washer", "1x12"))
+        # The washers of A and D, both between the frame and the layer above, as wide as the pivots are apart.
+        self.assertRegex(noted("--hole", 6, "--washer", "1x81"), "the washer of [AD] and the washer of [AD]")
+        self.assertNotIn("no room", noted("--hole", 6, "--washer", "1x79"))
+
     def check_sheet(self, result, *options):
         """No two outlines nearer than the gap; all in the sheets, clear of their edges or on them."""
         document, space = self.sheet(result, *options)

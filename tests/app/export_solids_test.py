@@ -215,6 +215,45 @@ class Linkages(Solids):
         self.assertGreaterEqual(len(bearings), 7)
         self.assertGreaterEqual(len(spacers), 1)
 
+    def test_screws_and_washers_are_bodies(self):
+        """Volumes by hand; what is stacked on a pin touches and does not overlap."""
+        text = (LIBRARY / "analysis" / "klann-leg.toml").read_text()
+        result = self.result('length_unit = "m"\n' + re.sub("(?m)^length_unit.*", "", text))
+        order = ("--parts", "--width", 0.03, "--thickness", 0.006)
+        parts = json.loads((self.folder / self.export(result, "--format", "json", *order, "--screw", "M5")["files"][0]).read_text())
+        planes = {part["name"]: part["plane"] for part in parts["parts"]}
+        lengths = {row["name"]: 1e3 * row["length"] for row in parts["bill"] if row["item"] == "screw"}
+        solids = {solid["name"]: solid for solid in self.read(self.export(result, "--format", "step", *order, "--screw", "M5"))["solids"]}
+        for pin in parts["pins"]:
+            name = pin["name"]
+            screw, nut = solids[f"screw {name}"], solids[f"nut {name}"]
+            self.assertAlmostEqual(screw["volume"], math.pi / 4 * (5 ** 2 * lengths[name] + 8.5 ** 2 * 5), 6)
+            self.assertAlmostEqual(nut["volume"], (math.sqrt(3) / 2 * 8 ** 2 - math.pi / 4 * 5 ** 2) * 6.8, 6)
+            washers = [solid for solid in solids.values() if solid["name"].startswith(f"washer {name} ")]
+            self.assertEqual(len(washers), pin["planes"][1] - pin["planes"][0] + 2)
+            for washer in washers:
+                self.assertAlmostEqual(washer["volume"], math.pi / 4 * (10 ** 2 - 5.3 ** 2), 6)
+            stacked = [(solid["low"][2], solid["high"][2]) for solid in (*washers, *(solids[part] for part in pin["parts"]))]
+            crossed = pin["planes"][1] - pin["planes"][0] + 1 - len(pin["parts"])
+            faces = sorted(stacked)
+            self.assertAlmostEqual(faces[0][0] - screw["low"][2], 5, 3)
+            self.assertAlmostEqual(faces[-1][1], nut["low"][2], 3)
+            gaps = [above[0] - below[1] for below, above in zip(faces, faces[1:])]
+            self.assertEqual(sum(gap > 1e-3 for gap in gaps), crossed)
+            self.assertGreater(min(gaps), -1e-3)
+        chosen = self.read(self.export(result, "--format", "step", *order, "--hole", 0.005, "--washer", "0.001x0.012"))["solids"]
+        rings = [solid for solid in chosen if solid["name"].startswith("washer ")]
+        self.assertEqual(len(rings), sum(pin["planes"][1] - pin["planes"][0] for pin in parts["pins"]))
+        for ring in rings:
+            self.assertAlmostEqual(ring["volume"], math.pi / 4 * (12 ** 2 - 5 ** 2), 6)
+        # A boss leaves one washer in its gap.
+        bossed = self.export(result, "--format", "step", *order, "--hole", 0.005, "--washer", "0.001x0.012", "--boss", 0.008, "--bill")
+        (bill,) = [file for file in bossed["files"] if file.endswith(".csv")]
+        rows = [row.split(",") for row in (self.folder / bill).read_text().split()]
+        for pin in parts["pins"]:
+            (row,) = [row for row in rows if row[:2] == ["washer", pin["name"]]]
+            self.assertEqual(int(row[2]), len({planes[part] for part in pin["parts"]}) - 1)
+
     def test_bosses_fill_what_pins_cross(self):
         """Each plate has the volume of the tubes between it and the next plate of its pins more than without."""
         text = (LIBRARY / "analysis" / "klann-leg.toml").read_text()
@@ -334,6 +373,52 @@ class Wheels(Solids):
         centre = [(low + high) / 2 for low, high in zip(wheel["low"], wheel["high"])]
         self.assertLess(math.dist(centre[:2], gears[1]["centre"]), 1e-5)
 
+    def screws(self, result, options, width, turns):
+        """The solids of helical gears: each section from the lowest on turned by so much more about its centre."""
+        fine = self.export(result, "--format", "json", "--chord-tolerance", 2e-5)
+        drawn = json.loads((self.folder / fine["files"][0]).read_text())["gears"]
+        document = self.export(result, "--format", "step", *options)
+        for own, solid, gear, turn in zip(document["solids"], self.read(document)["solids"], drawn, turns, strict=True):
+            self.assertAlmostEqual(solid["volume"] / (width * area([point[:2] for point in gear["outline"]])), 1, 6)
+            self.assertAlmostEqual(own["twist_deg"], math.degrees(turn), 9)
+            ends = {round(at[2], 6): [] for at in solid["vertices"]}
+            self.assertEqual(sorted(ends), [0, width])
+            for x, y, z in solid["vertices"]:
+                ends[round(z, 6)].append(complex(x, y) - complex(*gear["centre"]))
+            self.assertEqual(len(ends[0]), len(ends[width]))
+            self.assertEqual(len(ends[0]) % gear["teeth"], 0)
+            for at in ends[0]:
+                turned = at * complex(math.cos(turn), math.sin(turn))
+                self.assertLess(min(abs(turned - other) for other in ends[width]), 1e-6)
+
+    def test_helical_teeth_are_screws(self):
+        width, helix = 14, math.radians(25)
+        text = (f'kind = "{{kind}}"\nlength_unit = "mm"\nmechanism = {{{{gearing = "helical", teeth = {{teeth}}, module = 2, '
+                f'helix_deg = -25, face_width = {width}, profile_shift = {{shift}}{{more}}}}}}\n')
+        pair = self.result(text.format(kind="gear-pair", teeth=[10, 15], shift=[0.3, 0.2], more=", backlash = 0.05"), "solve")
+        # The width is that of the file. A left-handed pinion turns clockwise on the way up, its wheel the other way.
+        self.screws(pair, (), width, [-sign * width * math.sin(helix) / teeth for sign, teeth in ((1, 10), (-1, 15))])
+        gear = self.result(text.format(kind="gear", teeth=9, shift=0.45, more=""))
+        turn = -2 * width * math.sin(helix) / 9
+        self.screws(gear, ("--thickness", 2 * width), 2 * width, [turn])
+        # Facets, turned back by their height, lie on the outline.
+        tolerance = 0.01
+        (text,) = self.stl(self.export(gear, "--format", "stl", "--thickness", 2 * width, "--chord-tolerance",
+                                       tolerance)).values()
+        fine = self.export(gear, "--format", "csv", "--chord-tolerance", 1e-3)
+        outline = [tuple(map(float, row.split(",")[:2])) for row in (self.folder / fine["files"][0]).read_text().split()[1:]]
+        corners = [complex(x, y) * complex(math.cos(turn * z / 2 / width), -math.sin(turn * z / 2 / width))
+                   for facet in facets_of(text)[::40] for x, y, z in facet if 0 < z < 2 * width]
+        self.assertGreater(len(corners), 20)
+        for at in corners:
+            self.assertLess(min(distance_to_segment((at.real, at.imag), *edge)
+                                for edge in zip(outline, outline[1:] + outline[:1])), 2e-3)
+        Linkages.check_facets(self, text, 2 * width * area(outline), 5e-3)
+        self.assertIn("allowed is once", self.refusal(gear, "--format", "step", "--thickness", 300))
+        bored, plain = (self.read(self.export(gear, "--format", "step", *more))["solids"][0]["volume"]
+                        for more in (("--bore", 5, "--hub", 11, "--hub-length", 20), ()))
+        self.assertAlmostEqual(plain - bored, math.pi / 4 * (20 * 5 ** 2 - 6 * 11 ** 2), 5)
+
     def test_cams_hold_the_area_of_their_profile(self):
         cams = 0
         for more in ("", 'closure = "conjugate"'):
@@ -365,8 +450,6 @@ class Wheels(Solids):
             (("--thickness", 5, "--hole", 1), "is that of parts"),
         ]:
             self.assertIn(message, self.refusal(result, "--format", "step", *wrong))
-        helical = self.result(LIBRARY / "gear-pair" / "helical.toml", "solve")
-        self.assertIn("helical teeth", self.refusal(helical, "--format", "stl", "--thickness", 5))
         cam = self.result(ROLLER_CAM.format(more='closure = "groove"'), "solve")
         self.assertIn("grooves", self.refusal(cam, "--format", "step", "--thickness", 5))
         self.assertIn("--curve", self.refusal(cam, "--format", "step", "--thickness", 5, "--curve", "pitch"))

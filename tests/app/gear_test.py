@@ -34,6 +34,17 @@ metrics = {metrics}
 """
 
 
+# ISO 21771.
+SYMBOLS = {"teeth": "z", "module": "m", "profile_shift": "x", "reference_diameter": "d", "base_diameter": "d_b",
+           "tip_diameter": "d_a", "root_diameter": "d_f", "form_diameter": "d_Ff", "addendum": "h_a", "dedendum": "h_f",
+           "tooth_depth": "h", "pitch": "p", "base_pitch": "p_b", "tooth_thickness": "s", "space_width": "e",
+           "base_thickness": "s_b", "tip_thickness": "s_a", "normal_tooth_thickness": "s_n", "helix_deg": "β",
+           "base_helix_deg": "β_b", "lead": "p_z", "span_measurement": "W_k", "working_pressure_angle_deg": "α_wt",
+           "contact_ratio": "ε_α", "overlap_ratio": "ε_β", "total_contact_ratio": "ε_γ", "path_length": "g_α",
+           "approach_length": "g_f", "recess_length": "g_a", "working_diameter": "d_w", "centre_distance": "a_w",
+           "backlash": "j_wt", "normal_backlash": "j_bn"}
+
+
 def is_inside(point, polygon):
     """Whether a ray to the right crosses the polygon an odd number of times."""
     x, y = point
@@ -90,6 +101,18 @@ class Gears(unittest.TestCase):
                 design = document["designs"][0]
                 self.assertLessEqual(design["metrics"].keys(), known)
                 self.assertEqual([c["name"] for c in document["gear"]["columns"]], columns)
+
+    def test_figures_have_the_symbols_of_the_standard(self):
+        listed = json.loads(self.run_it("list", "--metrics", "--json").stdout)
+        symbols = {}
+        for part in ("gear_metrics", "gear_pair_metrics"):
+            for metric in listed[part]:
+                keys, own = metric["key"].split(", "), metric.get("symbol", "").split(", ")
+                symbols |= dict(zip(keys, own, strict=True)) if own != [""] else {}
+        self.assertEqual(symbols, symbols | SYMBOLS)
+        text = self.run_it("analyze", LIBRARY / "gear" / "helical.toml").stdout
+        for key in ("form_diameter", "base_thickness", "base_helix_deg", "span_measurement"):
+            self.assertRegex(text, rf"{key} +{SYMBOLS[key]} ")
 
     def test_a_gear_writes_its_flank(self):
         done = self.run_it("analyze", LIBRARY / "gear" / "standard-35.toml")

@@ -3,6 +3,7 @@
 #include <BRepBndLib.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
+#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <Message.hxx>
@@ -12,9 +13,12 @@
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
@@ -49,6 +53,18 @@ json cylinders_of(const TopoDS_Shape& shape) {
   return list;
 }
 
+/// Each once.
+json vertices_of(const TopoDS_Shape& shape) {
+  json list = json::array();
+  TopTools_IndexedMapOfShape vertices;
+  TopExp::MapShapes(shape, TopAbs_VERTEX, vertices);
+  for (int i = 1; i <= vertices.Extent(); ++i) {
+    const gp_Pnt at = BRep_Tool::Pnt(TopoDS::Vertex(vertices(i)));
+    list.push_back({at.X(), at.Y(), at.Z()});
+  }
+  return list;
+}
+
 json described(const std::string& name, const TopoDS_Shape& shape) {
   GProp_GProps properties;
   BRepGProp::VolumePropertiesGK(shape, properties, 1e-7, true, true);
@@ -61,7 +77,8 @@ json described(const std::string& name, const TopoDS_Shape& shape) {
           {"valid", static_cast<bool>(BRepCheck_Analyzer(shape).IsValid())},
           {"low", low},
           {"high", high},
-          {"cylinders", cylinders_of(shape)}};
+          {"cylinders", cylinders_of(shape)},
+          {"vertices", vertices_of(shape)}};
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 """The layers of links by dense samples, sharing no code with the program: own closures by circles, own
 distances between corners and sides, and every assignment of layers tried.
 
-Four-bars and chains of RRR dyads, whose crank turns fully.
+Four-bars and chains of RRR dyads, whose crank turns fully or which a cylinder drives.
 """
 
 import cmath
@@ -26,11 +26,15 @@ def place_on(origin, other, at):
 class Samples:
     """Places of the points of a mechanism at `count` positions of its crank, and its links by points."""
 
-    def __init__(self, mechanism, count):
+    def __init__(self, mechanism, count, lengths=()):
         self.links, self.base = {}, []
-        angles = [2 * math.pi * i / count for i in range(count)]
+        shares = [i / count for i in range(count)]
+        if lengths:  # of the cylinder, from and to
+            drive = [lengths[0] + share * (lengths[1] - lengths[0]) for share in [*shares, 1]]
+        else:
+            drive = [cmath.rect(1, 2 * math.pi * share) for share in shares]
         read = self.four_bar if mechanism["type"] == "four-bar" else self.chain
-        self.poses = [read(mechanism, cmath.rect(1, angle)) for angle in angles]
+        self.poses = [read(mechanism, at) for at in drive]
 
     def four_bar(self, given, direction):
         a, d = (complex(*pivot) for pivot in given["fixed_pivots"])
@@ -45,12 +49,20 @@ class Samples:
         self.base = ["A", "D"]
         return pose
 
-    def chain(self, given, direction):
+    def chain(self, given, drive):
         pose = {pivot["name"]: complex(*pivot["at"]) for pivot in given["pivot"]}
         self.base = list(pose)
-        crank = given["crank"]
-        pose[crank["pin"]] = pose[crank["at"]] + crank["length"] * direction
-        links = {crank.get("name", "crank"): [crank["at"], crank["pin"]]}
+        if "cylinder" in given:
+            cylinder = given["cylinder"]
+            base, pivot, pin = (cylinder[key] for key in ("at", "about", "pin"))
+            pose[pin] = circle_joint(pose[base], pose[pivot], drive, cylinder["length"],
+                                     cylinder.get("assembly", "open") == "open")
+            _, barrel, link = cylinder.get("names", ["rod", "cylinder", self.link_name(pivot, pin)])
+            links = {barrel: [base, pin], link: [pivot, pin]}
+        else:
+            crank = given["crank"]
+            pose[crank["pin"]] = pose[crank["at"]] + crank["length"] * drive
+            links = {crank.get("name", "crank"): [crank["at"], crank["pin"]]}
         # A point on two joints of a link is on it; parts of a chain may stand in any order.
         rest = given.get("dyad", []) + given.get("point", [])
         while rest:
@@ -128,8 +140,8 @@ def between(one, other):
 class SampledLayers:
     """What of the links and pins of a design collides at the samples."""
 
-    def __init__(self, mechanism, sizes, count=720):
-        samples = Samples(mechanism, count)
+    def __init__(self, mechanism, sizes, count=720, lengths=()):
+        samples = Samples(mechanism, count, lengths)
         self.links = list(samples.links)
         moved = {point for points in samples.links.values() for point in points}
         self.pins = {point: [name for name in self.links if point in samples.links[name]]

@@ -19,7 +19,8 @@ ROOT = pathlib.Path()
 VALUES = {
     "arrows.": ["velocity", "acceleration", "reactions"],
     "best.": ["dwell", "function", "leg", "path", "motion"],
-    "bill.": ["plate", "pin", "spacer", "length", "width", "thickness", "outside", "bore"],
+    "bill.": ["plate", "cylinder", "pin", "spacer", "length", "width", "thickness", "outside", "bore",
+              "stroke"],
     "cam.": ["base_radius", "prime_radius", "offset", "roller_radius", "centre_distance", "arm",
              "face_offset"],
     "closure.": ["groove", "conjugate", "constant-breadth"],

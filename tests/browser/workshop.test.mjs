@@ -18,7 +18,7 @@ async function assertBill(page, bill) {
   const shown = await cells(page, "#bill-rows");
   assert.equal(shown.length, bill.rows.length);
   for (const [i, row] of bill.rows.entries()) {
-    const own = ["length", "width", "thickness", "outside", "bore"].map((name) => row[name]).filter((length) => length !== undefined);
+    const own = ["length", "width", "thickness", "outside", "bore", "stroke"].map((name) => row[name]).filter((length) => length !== undefined);
     const read = numbers(shown[i].slice(4)).filter(Number.isFinite);
     assert.equal(Number(shown[i][2]), row.quantity);
     assert.deepEqual(shown[i][3].split("–").map(Number), [...new Set([row.layers[0], row.layers.at(-1)])]);

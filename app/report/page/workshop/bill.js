@@ -6,7 +6,7 @@ import { LENGTH_UNIT, say, sentenceOf } from "../words.js";
 import { bodyRow, nameColumns, partNames } from "./rows.js";
 
 // Each with the class of its column: a phone has no room for all.
-const BILL_LENGTHS = { length: "number", width: "number wide", thickness: "number wide", outside: "number", bore: "number wide" };
+const BILL_LENGTHS = { length: "number", width: "number wide", thickness: "number wide", outside: "number", bore: "number wide", stroke: "number wide" };
 
 // "2", of several the range: "1–3".
 function layersText(layers = []) {
