@@ -379,7 +379,7 @@ class Wheels(Solids):
         drawn = json.loads((self.folder / fine["files"][0]).read_text())["gears"]
         document = self.export(result, "--format", "step", *options)
         for own, solid, gear, turn in zip(document["solids"], self.read(document)["solids"], drawn, turns, strict=True):
-            self.assertAlmostEqual(solid["volume"] / (width * area([point[:2] for point in gear["outline"]])), 1, 6)
+            self.assertAlmostEqual(solid["volume"] / (width * area([point[:2] for point in gear["outline"]])), 1, 5)
             self.assertAlmostEqual(own["twist_deg"], math.degrees(turn), 9)
             ends = {round(at[2], 6): [] for at in solid["vertices"]}
             self.assertEqual(sorted(ends), [0, width])
