@@ -205,7 +205,7 @@ class CylinderDrive(unittest.TestCase):
                     if layers["count"]:
                         self.assertGreater(samples.least_room(layer_of), -1e-9)
                     counts.append(layers["count"])
-        self.assertEqual(counts, [3, 4, 2, 2])
+        self.assertEqual(counts, [3, 3, 2, 2])
         self.assertIn("rod", self.refusal(self.with_layers("dump-body", 0.1, "widths = {rod = 0.05}\n").read_text()))
 
     def test_a_cylinder_is_bought(self):
@@ -227,7 +227,8 @@ class CylinderDrive(unittest.TestCase):
             self.assertAlmostEqual(cylinder["stroke"], lengths[1] - lengths[0], 12)
             rows = list(csv.DictReader(io.StringIO((made / "written.bill.csv").read_text())))
             (row,) = [row for row in rows if row["item"] == "cylinder"]
-            self.assertEqual((row["name"], float(row["stroke_m"])), ("cylinder", cylinder["stroke"]))
+            self.assertEqual(row["name"], "cylinder")
+            self.assertAlmostEqual(float(row["stroke_m"]), cylinder["stroke"], 9)
             # Both eyes are on pins; with the frame as layer 1 nothing collides.
             self.assertEqual({pin["name"] for pin in document["pins"] if "cylinder" in pin["parts"]}, {"G", "P"})
             layer_of = {part["name"]: part["plane"] - 1 for part in document["parts"]} | {"cylinder": cylinder["layers"][0] - 1}

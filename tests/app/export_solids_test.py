@@ -375,11 +375,11 @@ class Wheels(Solids):
 
     def screws(self, result, options, width, turns):
         """The solids of helical gears: each section from the lowest on turned by so much more about its centre."""
-        fine = self.export(result, "--format", "json", "--chord-tolerance", 2e-5)
+        fine = self.export(result, "--format", "json", "--chord-tolerance", 3e-5)
         drawn = json.loads((self.folder / fine["files"][0]).read_text())["gears"]
         document = self.export(result, "--format", "step", *options)
         for own, solid, gear, turn in zip(document["solids"], self.read(document)["solids"], drawn, turns, strict=True):
-            self.assertAlmostEqual(solid["volume"] / (width * area([point[:2] for point in gear["outline"]])), 1, 6)
+            self.assertAlmostEqual(solid["volume"] / (width * area([point[:2] for point in gear["outline"]])), 1, 5)
             self.assertAlmostEqual(own["twist_deg"], math.degrees(turn), 9)
             ends = {round(at[2], 6): [] for at in solid["vertices"]}
             self.assertEqual(sorted(ends), [0, width])
