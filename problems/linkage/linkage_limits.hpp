@@ -55,6 +55,7 @@ struct Clearance {
 /// distance or of an angle, or the largest angle of a minimax problem.
 enum class ErrorMeasure { rms_length, rms_angle, largest_length, largest_angle };
 
+/// Whether the error is an angle, not a length.
 constexpr bool is_angle(ErrorMeasure of) {
   return of == ErrorMeasure::rms_angle || of == ErrorMeasure::largest_angle;
 }
