@@ -9,7 +9,6 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/chain/draw.hpp"
 #include "synthesis/chain/sweep.hpp"
-#include "synthesis/chain/transform.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -96,7 +95,17 @@ class StanceFinder {
 /// Turned so that `direction` is the x axis, and enlarged by `factor`, about the crank's pivot.
 void move(const LegSpace& space, const Vec2d& direction, double factor,
           synthesis::ChainDesign& chain) {
-  synthesis::transform(space.lines, factor * conj(direction), {}, chain.parameters);
+  for (const auto& [line, parameter] : space.lines) {
+    double* own = chain.parameters.data() + parameter;
+    for (int i = 0; i < synthesis::parameter_count(line.type); ++i) {
+      const bool turns = parameter_role(line.type, i) == synthesis::ParameterRole::direction;
+      own[i] = turns ? own[i] - angle_of(direction) : own[i] * factor;
+    }
+    if (line.type != synthesis::LineType::pivot) continue;
+    const Vec2d turned = conj(direction) * Vec2d{own[0], own[1]};
+    own[0] = turned.x;
+    own[1] = turned.y;
+  }
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ class Solve(unittest.TestCase):
         if jsonschema is not None:
             jsonschema.validate(document, json.loads(SCHEMA.read_text()))
         problem = document["problem"]
-        slides = problem.get("mechanism", {}).get("type") == "slider-crank"
+        slides = problem.get("mechanism", {}).get("type", "").endswith(("slider-crank", "-slider"))
         angles = problem["kind"] == "function-generation" and not slides
         if problem["kind"] in ("cam", "gear-pair", "gear-train"):  # which have no error
             for design in document["designs"]:

@@ -91,7 +91,7 @@ class Interrupted(Sweeps):
             kept = database.execute("SELECT sum(kept) FROM blocks").fetchone()[0]
             self.assertEqual(database.execute("SELECT count(*) FROM runs").fetchone()[0], kept)
         self.assertGreater(kept, 0)
-        more = self.run_program("sweep", "long.toml", "--time-limit", "0.3", "--json")
+        more = self.run_program("sweep", "long.toml", "--time-limit", "2", "--json")
         self.assertGreater(json.loads(more.stdout)["counts"]["kept"], kept)
 
     def test_place_that_cannot_be_written(self):

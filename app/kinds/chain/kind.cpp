@@ -28,9 +28,10 @@ constexpr Entry kChain[] = {
     {"[[pivot]]", "name, at = [x, y]: here and below, what is missing or \"free\" is found"},
     {"[crank]", "of a chain: at, pin; length"},
     {"[[dyad]]", "of a chain: joins = [\"B\", \"D\"], new; lengths = [l1, l2], assembly"},
-    {"[[dyad]] type = \"RRP\"",
-     "of a chain, a slider: joins = \"E\", new; length, assembly, slide = {through, direction_deg, "
-     "offset}: offset from the pivot through (default: the crank's) to the left"},
+    {"slide",
+     "of a [[dyad]] with type = \"RRP\", a slider: {through, direction_deg, offset}, the offset "
+     "from "
+     "the pivot through (default: the crank's) to the left; it joins one point, with a length"},
     {"[[point]]", "of a chain: name, on = [\"B\", \"C\"]; at = [u, v], origin B, first axis to C"},
     {"bounds.length", "[min, max] of the crank and the links of all dyads"},
     {"bounds.pivots", "[[xmin, ymin], [xmax, ymax]]"},
