@@ -122,10 +122,10 @@ TEST_P(ChainFaults, AreFoundInTheirPlace) {
 
 const FaultCase kFaults[] = {
     {"TypeMisspelt", file("[mechanism]\ntype = \"wat-1\"\n"), {{5, 8, "perhaps for \"watt-1\""}}},
-    {"NoRrr",
-     chain(kPivots + kCrank + "[[dyad]]\ntype = \"RRP\"\njoins = [\"B\", \"D\"]\nnew = \"C\"\n" +
+    {"NeitherRrrNorRrp",
+     chain(kPivots + kCrank + "[[dyad]]\ntype = \"RPR\"\njoins = [\"B\", \"D\"]\nnew = \"C\"\n" +
            kPoint),
-     {{14, 8, "a chain is designed of RRR dyads"}}},
+     {{14, 8, "a chain is designed of RRR and RRP dyads"}}},
     {"UnknownJoin",
      chain(kPivots + kCrank + "[[dyad]]\njoins = [\"B\", \"Z\"]\nnew = \"C\"\n" + kPoint),
      {{14, 15, "has \"Z\", which is no point of the chain"}}},

@@ -162,10 +162,6 @@ const std::vector<FaultCase> kFunctionCases = {
     {"BestByWithoutPrecisionPoints",
      function("[solve]\nbest_by = \"error\"\n"),
      {{8, 11, "chooses among exact designs"}}},
-    {"SliderCrankFitted",
-     "kind = \"function-generation\"\n[mechanism]\ntype = \"slider-crank\"\n[target]\n"
-     "pairs = [[0, 1], [20, 2], [40, 4]]\n",
-     {{3, 8, "is for exact synthesis in this version"}}},
     {"SliderCrankWithLengths",
      "kind = \"function-generation\"\n[mechanism]\ntype = \"slider-crank\"\ncrank = 1\n[target]\n"
      "pairs = [[0, 1], [20, 2], [40, 4]]\nprecision_points = 3\n[bounds]\nrocker = [1, 2]\n"
