@@ -1,9 +1,8 @@
 #include "synthesis/exact/null_plane.hpp"
 
+#include <Eigen/QR>
 #include <cmath>
 #include <limits>
-
-#include "synthesis/exact/reflections.hpp"
 
 namespace cognate::synthesis {
 
@@ -18,7 +17,10 @@ std::optional<std::array<Eigen::Matrix<double, Rows + Dimension, 1>, Dimension>>
   const auto& r = qr.matrixQR();
   if (!(std::abs(r(Rows - 1, Rows - 1)) > kDependent * std::abs(r(0, 0)))) return std::nullopt;
   std::array<Eigen::Matrix<double, kColumns, 1>, Dimension> basis;
-  for (int i = 0; i < Dimension; ++i) basis[i] = column_of_q(qr, Rows + i);
+  for (int i = 0; i < Dimension; ++i) {
+    basis[i] = Eigen::Matrix<double, kColumns, 1>::Unit(Rows + i);
+    basis[i].applyOnTheLeft(qr.householderQ());
+  }
   return basis;
 }
 

@@ -1,5 +1,6 @@
 /// Slider-cranks of a given offset through three or four conditions.
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -10,7 +11,6 @@
 #include "synthesis/exact/function/slider_equation.hpp"
 #include "synthesis/exact/null_plane.hpp"
 #include "synthesis/exact/polish.hpp"
-#include "synthesis/exact/reflections.hpp"
 
 namespace cognate::synthesis {
 namespace {
@@ -183,15 +183,14 @@ class OffsetSolver {
       // s₀ at infinity: s is harmonic in φ.
       Eigen::Matrix<double, 4, 3> m;
       m << parts[1].col(1), parts[1].col(2), parts[0].col(3);
-      const Eigen::Vector3d x =
-          least_squares(m.colPivHouseholderQr(), Eigen::Vector4d(-parts[1].col(0)));
+      const Eigen::Vector3d x = m.colPivHouseholderQr().solve(-parts[1].col(0));
       add_yoke(std::hypot(x[0], x[1]), 1);
       return;
     }
     const double origin = root.x / root.y;
     const Columns all = parts[0] + origin * parts[1];
     const Eigen::Matrix<double, 4, 3> m = all.rightCols<3>();
-    const Eigen::Vector3d x = least_squares(m.colPivHouseholderQr(), Eigen::Vector4d(-all.col(0)));
+    const Eigen::Vector3d x = m.colPivHouseholderQr().solve(-all.col(0));
     const Vec2d crank{x[0], x[1]};
     if (!(norm(crank) > kNone)) {
       add_slider_limit(SliderCrankOutcome::no_crank, 0, result_);

@@ -2,12 +2,11 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
-
-#include "synthesis/exact/reflections.hpp"
 
 namespace cognate::synthesis {
 namespace {
@@ -66,7 +65,7 @@ Values step(const Jacobian& jacobian, const Values& right) {
   if (jacobian.rows() < jacobian.cols()) {
     return jacobian.transpose() * (jacobian * jacobian.transpose()).ldlt().solve(right);
   }
-  return least_squares(jacobian.colPivHouseholderQr(), right);
+  return jacobian.colPivHouseholderQr().solve(right);
 }
 
 PivotPair at_start(PivotPair pair, Pinned pinned) {
@@ -237,7 +236,7 @@ void GuidanceForms::orthogonalise(std::span<const Displacement> displacements) {
     status_ = GuidanceStatus::family;
     return;
   }
-  const Eigen::Matrix<double, 7, 7> q = whole_q(qr);
+  const Eigen::Matrix<double, 7, 7> q = qr.householderQ();
   for (int j = 0; j < count_; ++j) basis_[static_cast<std::size_t>(j)] = form_of(q.col(j));
   null_space_ = q.rightCols<3>();
 }

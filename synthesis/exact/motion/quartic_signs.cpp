@@ -83,25 +83,14 @@ Value evaluate(const Quartic& c, double z) {
   return at;
 }
 
-/// Real parts of the roots, in ascending order: of the eigenvalues of the companion matrix, which
-/// is of Hessenberg's form as it stands.
+/// Real parts of the roots, in ascending order.
 std::array<double, 4> real_parts(const Quartic& c) {
-  using Eigen::Matrix4d;
-  Matrix4d companion = Matrix4d::Zero(), vectors;
+  Eigen::Matrix4d companion = Eigen::Matrix4d::Zero();
   companion.diagonal(-1).setOnes();
   for (int k = 0; k < 4; ++k) companion(k, 3) = -c[static_cast<std::size_t>(4 - k)] / c[0];
-  const double scale = companion.cwiseAbs().maxCoeff();
-  Eigen::RealSchur<Matrix4d> schur(4);
-  schur.computeFromHessenberg(Matrix4d(companion / scale), vectors, false);
-  const Matrix4d blocks = schur.matrixT() * scale;
+  const Eigen::EigenSolver<Eigen::Matrix4d> solver(companion, false);
   std::array<double, 4> parts{};
-  for (Eigen::Index k = 0; k < 4; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    parts[at] = blocks(k, k);
-    if (k == 3 || blocks(k + 1, k) == 0) continue;
-    parts[at] = parts[at + 1] = blocks(k + 1, k + 1) + 0.5 * (blocks(k, k) - blocks(k + 1, k + 1));
-    ++k;
-  }
+  for (int k = 0; k < 4; ++k) parts[static_cast<std::size_t>(k)] = solver.eigenvalues()[k].real();
   std::ranges::sort(parts);
   return parts;
 }
