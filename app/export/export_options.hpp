@@ -12,7 +12,7 @@
 
 #include "app/drawing/cam_drawing.hpp"
 #include "app/export/dxf.hpp"
-#include "app/export/link_parts.hpp"
+#include "app/export/parts/link_parts.hpp"
 #include "app/export/wheel_bore.hpp"
 
 namespace cognate::app {

@@ -13,8 +13,8 @@
 #include "app/documents/result_json.hpp"
 #include "app/export/export_solids.hpp"
 #include "app/export/linkage_json.hpp"
-#include "app/export/part_sheet.hpp"
-#include "app/export/stacked_parts.hpp"
+#include "app/export/parts/part_sheet.hpp"
+#include "app/export/parts/stacked_parts.hpp"
 #include "app/export/svg.hpp"
 #include "synthesis/search/deadline.hpp"
 

@@ -8,8 +8,8 @@
 
 #include "analysis/mechanism/motion_state.hpp"
 #include "app/export/exported.hpp"
-#include "app/export/link_parts.hpp"
-#include "app/export/part_bosses.hpp"
+#include "app/export/parts/link_parts.hpp"
+#include "app/export/parts/part_bosses.hpp"
 #include "app/export/solids.hpp"
 #include "app/export/wheel_bore.hpp"
 

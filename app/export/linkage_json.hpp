@@ -9,8 +9,8 @@
 #include "analysis/mechanism/motion_state.hpp"
 #include "app/drawing/link_shapes.hpp"
 #include "app/drawing/linkage_paths.hpp"
-#include "app/export/part_bill.hpp"
-#include "app/export/part_sheet.hpp"
+#include "app/export/parts/part_bill.hpp"
+#include "app/export/parts/part_sheet.hpp"
 #include "problems/evaluation/result.hpp"
 
 namespace cognate::app {

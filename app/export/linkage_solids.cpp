@@ -8,7 +8,7 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "app/export/export_solids.hpp"
-#include "app/export/offset_outline.hpp"
+#include "app/export/parts/offset_outline.hpp"
 
 namespace cognate::app {
 namespace {

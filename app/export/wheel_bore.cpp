@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/export/offset_outline.hpp"
+#include "app/export/parts/offset_outline.hpp"
 
 namespace cognate::app {
 namespace {

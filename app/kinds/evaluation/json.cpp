@@ -5,7 +5,7 @@
 #include "app/documents/json_values.hpp"
 #include "app/documents/layers_json.hpp"
 #include "app/documents/tolerance_json.hpp"
-#include "app/export/stacked_parts.hpp"
+#include "app/export/parts/stacked_parts.hpp"
 #include "app/kinds/evaluation/kind.hpp"
 #include "problems/basics/names.hpp"
 #include "problems/evaluation/output_travel.hpp"

@@ -7,7 +7,7 @@
 #include "app/documents/layers_catalogue.hpp"
 #include "app/documents/mechanism_catalogue.hpp"
 #include "app/documents/tolerance_catalogue.hpp"
-#include "app/export/stacked_parts.hpp"
+#include "app/export/parts/stacked_parts.hpp"
 #include "app/study/metrics.hpp"
 #include "problems/linkage/design_layers.hpp"
 #include "problems/mechanism/dimensions.hpp"

@@ -1,4 +1,4 @@
-#include "app/export/screws.hpp"
+#include "app/export/parts/screws.hpp"
 
 #include <algorithm>
 #include <array>

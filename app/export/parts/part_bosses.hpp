@@ -6,7 +6,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "app/export/part_bill.hpp"
+#include "app/export/parts/part_bill.hpp"
 
 namespace cognate::app {
 

@@ -1,4 +1,4 @@
-#include "app/export/stroke_font.hpp"
+#include "app/export/parts/stroke_font.hpp"
 
 #include <algorithm>
 #include <array>

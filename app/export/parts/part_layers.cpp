@@ -1,4 +1,4 @@
-#include "app/export/part_layers.hpp"
+#include "app/export/parts/part_layers.hpp"
 
 #include <fmt/core.h>
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/drawing/plan.hpp"
-#include "app/export/link_parts.hpp"
-#include "app/export/part_layers.hpp"
+#include "app/export/parts/link_parts.hpp"
+#include "app/export/parts/part_layers.hpp"
 
 namespace cognate::app {
 

@@ -1,4 +1,4 @@
-#include "app/export/offset_outline.hpp"
+#include "app/export/parts/offset_outline.hpp"
 
 #include <algorithm>
 #include <cmath>

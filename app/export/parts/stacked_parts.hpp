@@ -8,7 +8,7 @@
 #include <tl/expected.hpp>
 
 #include "app/drawing/link_shapes.hpp"
-#include "app/export/part_bosses.hpp"
+#include "app/export/parts/part_bosses.hpp"
 
 namespace cognate::app {
 

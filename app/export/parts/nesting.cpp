@@ -1,4 +1,4 @@
-#include "app/export/nesting.hpp"
+#include "app/export/parts/nesting.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/export/link_parts.hpp"
-#include "app/export/part_layers.hpp"
+#include "app/export/parts/link_parts.hpp"
+#include "app/export/parts/part_layers.hpp"
 
 namespace cognate::app {
 

@@ -1,11 +1,11 @@
-#include "app/export/part_labels.hpp"
+#include "app/export/parts/part_labels.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 
 #include "analysis/numbers/hull_distance.hpp"
-#include "app/export/stroke_font.hpp"
+#include "app/export/parts/stroke_font.hpp"
 
 namespace cognate::app {
 namespace {

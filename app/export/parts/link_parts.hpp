@@ -8,8 +8,8 @@
 
 #include "app/drawing/link_shapes.hpp"
 #include "app/drawing/plan.hpp"
-#include "app/export/bearings.hpp"
-#include "app/export/screws.hpp"
+#include "app/export/parts/bearings.hpp"
+#include "app/export/parts/screws.hpp"
 #include "problems/layers/layers.hpp"
 
 namespace cognate::app {

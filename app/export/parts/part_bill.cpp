@@ -1,4 +1,4 @@
-#include "app/export/part_bill.hpp"
+#include "app/export/parts/part_bill.hpp"
 
 #include <fmt/core.h>
 
@@ -10,8 +10,8 @@
 
 #include "analysis/layers/collisions.hpp"
 #include "app/documents/csv.hpp"
-#include "app/export/part_sheet.hpp"
-#include "app/export/screw_room.hpp"
+#include "app/export/parts/part_sheet.hpp"
+#include "app/export/parts/screw_room.hpp"
 
 namespace cognate::app {
 namespace {

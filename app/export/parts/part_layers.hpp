@@ -8,7 +8,7 @@
 
 #include "analysis/mechanism/assembly_ranges.hpp"
 #include "analysis/mechanism/mechanism.hpp"
-#include "app/export/link_parts.hpp"
+#include "app/export/parts/link_parts.hpp"
 
 namespace cognate::app {
 

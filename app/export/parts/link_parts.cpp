@@ -1,4 +1,4 @@
-#include "app/export/link_parts.hpp"
+#include "app/export/parts/link_parts.hpp"
 
 #include <fmt/core.h>
 

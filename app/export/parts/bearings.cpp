@@ -1,4 +1,4 @@
-#include "app/export/bearings.hpp"
+#include "app/export/parts/bearings.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/drawing/plan.hpp"
-#include "app/export/link_parts.hpp"
+#include "app/export/parts/link_parts.hpp"
 
 namespace cognate::app {
 

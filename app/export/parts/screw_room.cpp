@@ -1,4 +1,4 @@
-#include "app/export/screw_room.hpp"
+#include "app/export/parts/screw_room.hpp"
 
 #include <fmt/core.h>
 
@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "analysis/layers/collisions.hpp"
-#include "app/export/part_bill.hpp"
+#include "app/export/parts/part_bill.hpp"
 #include "problems/basics/enumeration.hpp"
 
 namespace cognate::app {

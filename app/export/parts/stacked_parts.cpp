@@ -1,4 +1,4 @@
-#include "app/export/stacked_parts.hpp"
+#include "app/export/parts/stacked_parts.hpp"
 
 #include <nlohmann/json.hpp>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "app/export/part_sheet.hpp"
+#include "app/export/parts/part_sheet.hpp"
 
 #include <fmt/core.h>
 
@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
-#include "app/export/link_parts.hpp"
-#include "app/export/nesting.hpp"
-#include "app/export/offset_outline.hpp"
-#include "app/export/part_labels.hpp"
+#include "app/export/parts/link_parts.hpp"
+#include "app/export/parts/nesting.hpp"
+#include "app/export/parts/offset_outline.hpp"
+#include "app/export/parts/part_labels.hpp"
 
 namespace cognate::app {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/export/part_bosses.hpp"
+#include "app/export/parts/part_bosses.hpp"
 
 #include <fmt/core.h>
 
