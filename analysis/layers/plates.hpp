@@ -54,9 +54,8 @@ struct Plates {
 /// - A block or slider whose turning joints are all at its origin, and on which nothing slides, has
 ///   no layer: its pin runs in the slot of the link that it slides on, or in the base.
 /// - Any other slider is a link, whose guide is not looked at.
-/// - A driving cylinder is one link with its rod, from its pivot to the rod's pin at every
-/// position,
-///   and as wide as the cylinder.
+/// - A driving cylinder is one link with its rod, as wide as the cylinder, from its pivot to the
+///   rod's pin at every position.
 Plates plates(const Mechanism<double>& mechanism, const AssemblyRanges& motion,
               std::span<const Attached<double>> points, const PlateSizes& sizes);
 

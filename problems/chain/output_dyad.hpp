@@ -1,6 +1,6 @@
-/// @file The last dyad of a chain whose output is an angle, by a circle: its joint F keeps its
-/// distance from the point E that carries it, so that E moves along a circle about F in the plane
-/// in which F stands still.
+/// @file The last dyad of a chain, whose output is an angle or the displacement of a slider, by a
+/// circle: its joint F keeps its distance from the point E that carries it, so that E moves along a
+/// circle about F in the plane in which F stands still.
 #pragma once
 
 #include <limits>

@@ -33,7 +33,7 @@ class StructureReader {
     topology_.name = kChainWord;
   }
 
-  std::optional<Topology> read(TableReader& target, const Wanted& wanted) {
+  std::optional<Topology> read() {
     check_counts();
     for (TableReader& table : parts_.pivots) add_pivot(table);
     for (TableReader& table : parts_.cranks) add_crank(table);
@@ -43,9 +43,6 @@ class StructureReader {
     std::vector<Part> dyads = std::exchange(waiting_, {});
     if (failed()) return std::nullopt;
     place_all(std::move(points), dyads);
-    if (failed()) return std::nullopt;
-    choose_wanted(target, wanted);
-    if (!failed()) check_all_count(wanted);
     return failed() ? std::nullopt : std::optional(std::move(topology_));
   }
 
@@ -53,7 +50,7 @@ class StructureReader {
   bool failed() const { return mechanism_.faults().size() > before_; }
 
   void check_counts() {
-    if (parts_.pivots.empty()) mechanism_.fault("pivot", "is missing; a chain has two or more");
+    if (parts_.pivots.empty()) mechanism_.fault("pivot", "is missing; a chain has one or more");
     if (parts_.cranks.empty()) mechanism_.fault("crank", "is missing; a chain is driven by one");
     if (parts_.dyads.empty()) mechanism_.fault("dyad", "is missing; a chain has one or more");
     if (parts_.dyads.size() > kMostDyads) {
@@ -264,108 +261,13 @@ class StructureReader {
     const bool comes_later = std::ranges::find(names_, mention.name) != names_.end();
     return fmt::format("has {}, which {}; expected one of {}", in_quotes(mention.name),
                        comes_later ? "only a later part places" : "is no point of the chain",
-                       quoted_names());
-  }
-
-  void choose_wanted(TableReader& target, const Wanted& wanted) {
-    const std::string last = parts_.points.empty() ? *parts_.dyads.back().text("new")
-                                                   : *parts_.points.back().text("name");
-    const auto names = wanted.points.empty() ? std::vector{last} : wanted.points;
-    for (const std::string& name : names) {
-      wanted_.push_back(find(name));
-      if (wanted_.back() >= 0) continue;
-      return target.fault(wanted.key, fmt::format("is {}, which is no point of the chain; expected "
-                                                  "one of {}",
-                                                  in_quotes(name), quoted_names()));
-    }
-    topology_.trace = wanted_.back();
-    TableReader& place = target.has(wanted.key) ? target : mechanism_;
-    if (wanted.slides) return check_slider(place, wanted.key, names[0]);
-    names.size() == 1 ? check_path(place, wanted.key, names[0])
-                      : check_link(place, wanted.key, names[0], names[1]);
-  }
-
-  void check_slider(TableReader& place, std::string_view key, const std::string& name) const {
-    const auto& line = topology_.lines[static_cast<std::size_t>(topology_.trace)].line;
-    if (line.type == LineType::slider) return;
-    place.fault(key, fmt::format("is {}, which is no slider; expected the `new` of a [[dyad]] with "
-                                 "type = \"RRP\", or two points of a link",
-                                 in_quotes(name)));
-  }
-
-  void check_path(TableReader& place, std::string_view key, const std::string& name) const {
-    const auto [body, at] = ChainPlaces(chain_of(topology_).lines).place(topology_.trace);
-    if (body > 1) return;
-    place.fault(key, fmt::format("is {}, a point of the {}; expected a point of another link, "
-                                 "whose path can be designed",
-                                 in_quotes(name), body == 0 ? "frame" : "crank"));
-  }
-
-  void check_link(TableReader& place, std::string_view key, const std::string& from,
-                  const std::string& to) const {
-    const auto body = wanted_[0] == wanted_[1] ? std::nullopt : common_body(wanted_[0], wanted_[1]);
-    if (body && *body > 1) return;
-    const std::string_view what = !body       ? "which are not two points of one link"
-                                  : *body > 0 ? "points of the crank"
-                                              : "points of the frame";
-    place.fault(key, fmt::format("is [\"{}\", \"{}\"], {}; expected two points of a link whose "
-                                 "angle can be designed",
-                                 from, to, what));
-  }
-
-  std::string quoted_names() const {
-    std::vector<std::string_view> known;
-    for (const TopologyLine& line : topology_.lines) {
-      if (line.line.type != LineType::guide) known.push_back(line.name);
-    }
-    return quoted_list(known);
-  }
-
-  /// A point that those wanted do not close on has no dimension that could be found.
-  void check_all_count(const Wanted& wanted) {
-    std::vector<bool> counts(topology_.lines.size());
-    for (const int line : wanted_) counts[static_cast<std::size_t>(line)] = true;
-    for (std::size_t i = topology_.lines.size(); i-- > 0;) {
-      const ChainLine& line = topology_.lines[i].line;
-      for (const int before : {line.first, line.second}) {
-        if (counts[i] && before >= 0) counts[static_cast<std::size_t>(before)] = true;
-      }
-    }
-    const auto name_of = [&](int line) {
-      return in_quotes(topology_.lines[static_cast<std::size_t>(line)].name);
-    };
-    const std::string what =
-        wanted.slides ? "displacement of " + name_of(wanted_[0])
-        : wanted_.size() == 1
-            ? "path of " + name_of(wanted_[0])
-            : fmt::format("angle from {} to {}", name_of(wanted_[0]), name_of(wanted_[1]));
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-      if (counts[i] || topology_.lines[i].line.type == LineType::guide) continue;
-      const std::string& name = topology_.lines[i].name;
-      TableReader& table = table_of(name);
-      table.faults().add(table.where(),
-                         fmt::format("{} has no influence on the {}; remove it, or name "
-                                     "another target.{}",
-                                     in_quotes(name), what, wanted.key));
-    }
-  }
-
-  TableReader& table_of(const std::string& name) {
-    for (auto& [type, tables] : parts_.all()) {
-      for (TableReader& table : *tables) {
-        for (const std::string_view key : {"name", "pin", "new"}) {
-          if (table.has_text(key) && *table.text(key) == name) return table;
-        }
-      }
-    }
-    return mechanism_;
+                       quoted_points(topology_));
   }
 
   PartTables& parts_;
   TableReader& mechanism_;
   std::size_t before_;
   Topology topology_;
-  std::vector<int> wanted_;  ///< lines of the points wanted
   std::vector<std::string> names_;
   std::vector<Part> waiting_;
 };
@@ -397,9 +299,13 @@ void check_link_names(const Topology& topology, TableReader& mechanism) {
 
 std::optional<Topology> read_structure(PartTables& parts, TableReader& mechanism,
                                        TableReader& target, const Wanted& wanted) {
-  auto topology = StructureReader(parts, mechanism).read(target, wanted);
-  if (!topology) target.know({wanted.key});
-  if (topology) check_link_names(*topology, mechanism);
+  auto topology = StructureReader(parts, mechanism).read();
+  const bool is_wanted = topology && choose_wanted(*topology, {parts, mechanism, target}, wanted);
+  if (!is_wanted) {
+    target.know({wanted.key});
+    return std::nullopt;
+  }
+  check_link_names(*topology, mechanism);
   return topology;
 }
 

@@ -59,8 +59,8 @@ std::optional<double> stack_height(int layers, const PartOrder& order);
 
 /// Plates, a driving cylinder, pins as long as the stack that they pass or screws with their nuts,
 /// spacers in the layers that pins cross, washers between layers and under heads and nuts, and
-/// bearings. All spacers are as wide as the links, or less where one would
-/// collide with a part or another spacer anywhere on the motion; a note says where none fits.
+/// bearings. All spacers are as wide as the links, or less where one would collide with a part or
+/// another spacer anywhere on the motion; a note says where none fits.
 PartBill part_bill(const PartMotion& moving, const LinkParts& made, const PartLayers& layers,
                    const PartOrder& order);
 
