@@ -4,10 +4,10 @@ import { markOf } from "../checks.js";
 import { byId, element } from "../dom.js";
 import { degreesShort, fixed, number } from "../format.js";
 import { isRounding, sizeOf } from "../rounding.js";
-import { say, sentenceOf, term } from "../words.js";
+import { LENGTH_UNIT, say, sentenceOf, term } from "../words.js";
 
 // The largest error: of an angle in degrees, of a slider as a length.
-const largestText = (error, digits) => (error.max_deg === undefined ? number(error.max, digits) : degreesShort(error.max_deg, digits));
+const largestText = (error, digits) => (error.max_deg === undefined ? `${number(error.max, digits)} ${LENGTH_UNIT ?? ""}`.trim() : degreesShort(error.max_deg, digits));
 
 // Whether nothing but rounding parts a design from its targets.
 export const isExact = ({ error, mechanism }) => (error.max_deg === undefined ? isRounding(error.max, sizeOf(mechanism)) : isRounding(error.max_deg, 180 / Math.PI));
