@@ -2,6 +2,7 @@
 /// bits.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <vector>
@@ -16,6 +17,7 @@ namespace cognate::synthesis::chain_sweep_test {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
+using test::chains_with_sliders;
 using test::kTracedLine;
 using test::six_bars;
 using test::six_bars_and_sliders;
@@ -157,6 +159,64 @@ TEST(ChainSweep, CosinesAreDifferentiatedToo) {
         const auto goal = [&](const Quad& value) {
           exact.parameters[k] = value;
           return transmission_cosine(exact.view(), exact.at(wide(crank)), joint);
+        };
+        const Quad above = goal(middle + step), below = goal(middle - step);
+        exact.parameters[k] = middle;
+        EXPECT_NEAR(static_cast<double>((above - below) / (2 * step)), gradient[k], 1e-12);
+      }
+    }
+  }
+}
+
+/// The first slider of a chain.
+int slider_of(const SixBar& chain) {
+  const auto is_slider = [](const ChainLine& line) { return line.type == LineType::slider; };
+  return static_cast<int>(std::ranges::find_if(chain.chain.lines, is_slider) -
+                          chain.chain.lines.begin());
+}
+
+TEST(ChainSweep, PinsOfSlidersAreOnTheirGuidesAheadOrBehind) {
+  for (const SixBar& six_bar : chains_with_sliders()) {
+    SCOPED_TRACE(six_bar.name);
+    Posed<double> chain(six_bar);
+    const int slider = slider_of(six_bar);
+    const auto lines = placed_lines(six_bar.chain);
+    const auto& [line, parameter] = lines[std::size_t(slider)];
+    const auto& [guide, direction] = lines[std::size_t(line.second)];
+    const double length = six_bar.design.parameters[std::size_t(parameter)],
+                 offset = six_bar.design.parameters[std::size_t(direction) + 1];
+    const Vec2d along = unit_vector(six_bar.design.parameters[std::size_t(direction)]);
+    for (int i = 0; i < kPositions; i += 7) {
+      const auto& place = chain.at(unit_vector(kTurn * i / kPositions));
+      const Vec2d pin = place.at[slider], from = place.at[line.first];
+      EXPECT_NEAR(norm(pin - from), length, 1e-13);
+      EXPECT_NEAR(cross(along, pin - place.at[guide.first]), offset, 1e-13);
+      EXPECT_GT(six_bar.design.side[std::size_t(slider)] * dot(along, pin - from), 0.1);
+    }
+  }
+}
+
+TEST(ChainSweep, DisplacementsAreDifferentiatedToo) {
+  for (const SixBar& six_bar : chains_with_sliders()) {
+    SCOPED_TRACE(six_bar.name);
+    Posed<double> chain(six_bar);
+    Posed<Quad> exact(six_bar);
+    const int slider = slider_of(six_bar);
+    const int guide = six_bar.chain.lines[std::size_t(slider)].second;
+    for (int i = 0; i < kPositions; i += 15) {
+      const Vec2d crank = unit_vector(kTurn * i / kPositions);
+      const auto& place = chain.at(crank);
+      std::vector<double> gradient(six_bar.design.parameters.size(), 0.0);
+      std::array<Vec2d, kMostLines> seed{};
+      seed[std::size_t(slider)] = place.axis[guide];
+      seed[std::size_t(guide)] = -place.axis[guide];
+      sweep_back(chain.view(), place, slider, seed.data(), gradient.data());
+      for (std::size_t k = 0; k < gradient.size(); ++k) {
+        const Quad step = 1e-11, middle = exact.parameters[k];
+        const auto goal = [&](const Quad& value) {
+          exact.parameters[k] = value;
+          const auto& at = exact.at(wide(crank));
+          return dot(at.axis[guide], at.at[slider] - at.at[guide]);
         };
         const Quad above = goal(middle + step), below = goal(middle - step);
         exact.parameters[k] = middle;
