@@ -32,7 +32,10 @@ class FreeChain {
   const Vec2d* at(double crank) { return at(unit_vector(crank)); }
   /// The same with the crank in this direction.
   const Vec2d* at(const Vec2d& direction) {
-    synthesis::place(view_, direction, place_);
+    using synthesis::Kept;
+    knows_guides_ ? synthesis::place<Kept::guides>(view_, direction, place_)
+                  : synthesis::place(view_, direction, place_);
+    knows_guides_ = true;
     return place_.at;
   }
 
@@ -103,6 +106,7 @@ class FreeChain {
   const ChainSpace& space_;
   synthesis::ChainView<double> view_;
   synthesis::ChainPlace<double> place_;
+  bool knows_guides_ = false;
   std::array<Vec2d, synthesis::kMostLines> seed_{};
   std::array<double, synthesis::kMostChainParameters> gradient_{};
 };

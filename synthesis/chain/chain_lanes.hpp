@@ -81,7 +81,7 @@ class ChainLanes {
       if (task_.checks == 0) add_transmission(chain, equations);
     }
     for (int i = 0; i < task_.checks; ++i) {
-      place<true>(limited, check(i), place_);
+      place<Kept::distances>(limited, check(i), place_);
       add_transmission(chain, equations);
     }
   }
@@ -119,7 +119,7 @@ class ChainLanes {
       if (task_.checks == 0) sum = sum + transmission_cost(chain);
     }
     for (int i = 0; i < task_.checks; ++i) {
-      place<true>(limited, check(i), place_);
+      place<Kept::distances>(limited, check(i), place_);
       sum = sum + transmission_cost(chain);
     }
     return sum;
@@ -177,7 +177,7 @@ class ChainLanes {
 
   void place_at(int j, const View& chain, const double* cranks) {
     const Direction crank = crank_at(j, cranks);
-    j == 0 ? place(chain, crank, place_) : place<true>(chain, crank, place_);
+    j == 0 ? place(chain, crank, place_) : place<Kept::distances>(chain, crank, place_);
   }
 
   void keep(const Mask& lanes, const double* from, double* to, int count) const {

@@ -58,9 +58,12 @@ Vec2<T> slider_pin(const Vec2<T>& from, const Vec2<T>& on, const Vec2<T>& guide,
   return from + away * across + (side * sqrt((length - away) * (length + away))) * guide;
 }
 
-/// Places all lines at the direction `crank` of the crank. `Again`: `out` is a place of the same
-/// chain with the same dimensions, so that the distances within its bodies are known.
-template <bool Again = false, class T>
+/// What of a chain is taken from `out` where that is a place of it with the same dimensions:
+/// directions of guides, and with them distances within bodies.
+enum class Kept { nothing, guides, distances };
+
+/// Places all lines at the direction `crank` of the crank.
+template <Kept kept = Kept::nothing, class T>
 void place(const ChainView<T>& chain, const Vec2<T>& crank, ChainPlace<T>& out) {
   using std::cos;
   using std::sin;
@@ -82,13 +85,13 @@ void place(const ChainView<T>& chain, const Vec2<T>& crank, ChainPlace<T>& out) 
         break;
       case LineType::attached: {
         const Vec2<T> way = out.at[line.second] - out.at[line.first];
-        if constexpr (!Again) out.inverse[k] = T(1) / sqrt(squared_norm(way));
+        if constexpr (kept != Kept::distances) out.inverse[k] = T(1) / sqrt(squared_norm(way));
         out.axis[k] = out.inverse[k] * way;
         out.at[k] = out.at[line.first] + Vec2<T>{own[0], own[1]} * out.axis[k];
         break;
       }
       case LineType::guide:
-        if constexpr (!Again) out.axis[k] = {cos(own[0]), sin(own[0])};
+        if constexpr (kept == Kept::nothing) out.axis[k] = {cos(own[0]), sin(own[0])};
         out.at[k] = out.at[line.first] + own[1] * perp(out.axis[k]);
         break;
       case LineType::slider:
