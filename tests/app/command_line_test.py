@@ -273,7 +273,11 @@ class CommandLine(unittest.TestCase):
             listed = common | links | {"mechanism.type", "mechanism.pivot_d"}
             beside = {"chain": " (chains)", "chain-function": " (chains)", "dwell": " (dwells)"}
             name = read["kind"] + beside.get(file.parent.name, "")
-            listed |= {key["name"] for key in problems[name]["keys"]}
+            keys = {key["name"]: key["meaning"] for key in problems[name]["keys"]}
+            listed |= set(keys)
+            if "bounds as of path-generation (chains)" in keys.get("mechanism.type", ""):
+                chains = problems["path-generation (chains)"]["keys"]
+                listed |= {key["name"] for key in chains if key["name"].startswith("bounds.")}
             for table in ("target", "mechanism", "bounds", "constraints", "solve"):
                 for key in read.get(table, {}):
                     with self.subTest(file=file.name, key=key):
