@@ -55,7 +55,7 @@ class SegmentsAround {
     between_.assign(points_.begin() + static_cast<std::ptrdiff_t>(i),
                     points_.begin() + static_cast<std::ptrdiff_t>(j) + 1);
     const Vec2d chord = between_.back() - between_.front();
-    const Strip strip = narrowest_(between_);
+    const NarrowestStrip strip = narrowest_(between_);
     const double length = std::abs(dot(strip.direction, chord));
     return strip.half_width <= relative_ * length ? length : 0;
   }

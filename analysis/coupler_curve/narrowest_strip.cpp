@@ -40,13 +40,13 @@ void StripFinder::find_hull(std::span<const Vec2d> points) {
   if (hull_.size() > 1) hull_.pop_back();
 }
 
-Strip StripFinder::operator()(std::span<Vec2d> points) {
+NarrowestStrip StripFinder::operator()(std::span<Vec2d> points) {
   if (points.empty()) return {};
   if (!std::ranges::is_sorted(points, comes_before)) std::ranges::sort(points, comes_before);
   find_hull(points);
   const std::size_t count = hull_.size();
   if (count == 1) return {hull_[0], {1, 0}, 0};
-  Strip best{hull_[0], {1, 0}, std::numeric_limits<double>::infinity()};
+  NarrowestStrip best{hull_[0], {1, 0}, std::numeric_limits<double>::infinity()};
   std::size_t far = 1;
   for (std::size_t i = 0; i < count; ++i) {
     const Vec2d side = hull_[(i + 1) % count] - hull_[i];

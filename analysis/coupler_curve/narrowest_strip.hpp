@@ -9,7 +9,7 @@
 namespace cognate {
 
 /// A strip, by its middle line and half its width.
-struct Strip {
+struct NarrowestStrip {
   Vec2d through;
   Vec2d direction{1, 0};  ///< unit vector
   double half_width = 0;
@@ -25,7 +25,7 @@ class StripFinder {
   /// corner farthest from that (Houle & Toussaint 1988), by walking both round the hull. `points`
   /// are sorted here by x, then y; for points that are sorted already the time is linear. One point
   /// or none, or points that coincide, give a strip of width zero along x.
-  Strip operator()(std::span<Vec2d> points);
+  NarrowestStrip operator()(std::span<Vec2d> points);
 
  private:
   void find_hull(std::span<const Vec2d> points);

@@ -69,7 +69,7 @@ SampledSegment SampledSegments::between(std::size_t from, std::size_t to) {
   const auto begin = points_.begin();
   room_.assign(begin + static_cast<std::ptrdiff_t>(from),
                begin + static_cast<std::ptrdiff_t>(to) + 1);
-  const Strip strip = narrowest_(room_);
+  const NarrowestStrip strip = narrowest_(room_);
   const double along = dot(strip.direction, points_[to] - points_[from]);
   return {from, to, std::abs(along), strip.half_width,
           along < 0 ? -strip.direction : strip.direction};

@@ -127,7 +127,7 @@ StraightSegment measure(const Path& path, double from, double to) {
   }
   const Vec2d first = points.front(), last = points.back();
   StripFinder narrowest;
-  Strip strip;
+  NarrowestStrip strip;
   for (int round = 0; round < kRounds; ++round) {
     strip = narrowest(points);
     bool grows = false;

@@ -107,7 +107,7 @@ class SegmentScan {
 
   double chord(std::size_t from, std::size_t to) const { return norm(curve_[to] - curve_[from]); }
 
-  Strip strip_of(std::size_t from, std::size_t to) {
+  NarrowestStrip strip_of(std::size_t from, std::size_t to) {
     room_.assign(curve_.begin() + static_cast<std::ptrdiff_t>(from),
                  curve_.begin() + static_cast<std::ptrdiff_t>(to) + 1);
     return narrowest_(room_);
@@ -186,7 +186,7 @@ class SegmentScan {
     const double from = angles_[pair.from], to = angles_[pair.to];
     segment.centre = 0.5 * (from + to);
     segment.reach = 0.5 * (to - from);
-    Strip strip = strip_of(pair.from, pair.to);
+    NarrowestStrip strip = strip_of(pair.from, pair.to);
     const Vec2d ends = curve_[pair.to] - curve_[pair.from];
     if (dot(strip.direction, ends) < 0) strip.direction = -strip.direction;
     segment.line = std::atan2(strip.direction.y, strip.direction.x);

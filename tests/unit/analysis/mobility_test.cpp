@@ -375,7 +375,7 @@ TEST(Mobility, WhatCannotBeAssembledIsSaid) {
   EXPECT_FALSE(outer_limit(links) || inner_limit(links) || time_ratio(links));
   EXPECT_TRUE(can_assemble(Lengths<double>{1, 1, 1, 3}));
   // C on A: the coupler covers the crank, which may point anywhere.
-  EXPECT_FALSE(inner_limit({1, 1, 2, 2}));
+  EXPECT_FALSE(inner_limit(Lengths<double>{1, 1, 2, 2}));
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ TEST(NarrowestStrip, IsNoWiderThanAnyOther) {
     std::vector<Vec2d> points(3 + random() % 40);
     for (Vec2d& point : points) point = {place(random), 1e-2 * place(random)};
     std::vector<Vec2d> sorted = points;
-    const Strip strip = narrowest(sorted);
+    const NarrowestStrip strip = narrowest(sorted);
     for (const Vec2d& point : points) {
       EXPECT_LE(std::abs(cross(strip.direction, point - strip.through)), strip.half_width + 1e-15);
     }
