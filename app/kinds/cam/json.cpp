@@ -39,7 +39,7 @@ CamProblem settled(const CamProblem& problem, const CamDesign& design) {
 
 /// Follower, every length it has, the motion with what was found of it, and a preload that was
 /// found.
-ordered_json mechanism_json(const CamProblem& problem, const CamDesign& design) {
+ordered_json cam_mechanism_json(const CamProblem& problem, const CamDesign& design) {
   const ordered_json tables = problem_json(settled(problem, design));
   ordered_json mechanism = {{"type", "cam"}, {"follower", to_string(problem.follower)}};
   for (const char* key : {"side", "closure", "breadth", "arms_deg"}) {
@@ -149,7 +149,7 @@ ordered_json jumps_json(const CamResult& result) {
 ordered_json Kind<CamProblem>::design_json(const CamProblem& problem, const CamResult& result,
                                            std::size_t index) {
   const CamDesign& design = result.designs[index];
-  ordered_json table = {{"mechanism", mechanism_json(problem, design)},
+  ordered_json table = {{"mechanism", cam_mechanism_json(problem, design)},
                         {"crank_deg", ordered_json::array()},
                         {"error", {{"sum_of_squares", 0.0}, {"rms", 0.0}, {"max", 0.0}}},
                         {"metrics", metrics_json(problem, design)},

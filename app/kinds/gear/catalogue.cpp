@@ -44,23 +44,23 @@ constexpr Entry kPair[] = {
     {"wheel_shift", "worm: profile shift of the wheel (default 0)"},
     {"friction", "worm: coefficient, for efficiency and self-locking"}};
 
-constexpr Entry kBounds[] = {
+constexpr Entry kPairBounds[] = {
     {"teeth", "[[min, max], [min, max]] of pinion and wheel, where teeth are left out"},
     {"modules", "[m, ...] to choose from, where module is left out"},
     {"profile_shift", "[min, max] of each that is free (default [-0.6, 1.2])"},
     {"centre_distance", "[min, max] where it is free; inf leaves a side open"}};
 
-constexpr Entry kTarget[] = {
+constexpr Entry kPairTarget[] = {
     {"ratio", "z2/z1"},
     {"ratio_tolerance", "relative (default 0)"},
     {"objective",
      "\"balanced-sliding\" (its maximum minimised; default), \"contact-ratio\" "
      "(maximised) or \"size\" (the centre distance, minimised)"}};
 
-constexpr auto kConstraints =
+constexpr auto kPairConstraints =
     entries_of(problems::reading::kMeshKeys, problems::reading::kToothKeys);
 
-constexpr Entry kSolve[] = {{"designs", "1 to 100 (default 3), one for each choice of teeth"}};
+constexpr Entry kPairSolve[] = {{"designs", "1 to 100 (default 3), one for each choice of teeth"}};
 
 constexpr KeyedEntry kGearTables[] = {{"[mechanism]", "the gear", kGear},
                                       {"[rack]", "that cuts it", kRack},
@@ -69,10 +69,10 @@ constexpr KeyedEntry kGearTables[] = {{"[mechanism]", "the gear", kGear},
 constexpr KeyedEntry kPairTables[] = {
     {"[mechanism]", "the pair; what is left out is found", kPair},
     {"[rack]", "that cuts both", kRack},
-    {"[bounds]", "of what is found (spur and helical gears)", kBounds},
-    {"[target]", "what is sought", kTarget},
-    {"[constraints]", "on the pair", kConstraints},
-    {"[solve]", "how many designs are returned", kSolve}};
+    {"[bounds]", "of what is found (spur and helical gears)", kPairBounds},
+    {"[target]", "what is sought", kPairTarget},
+    {"[constraints]", "on the pair", kPairConstraints},
+    {"[solve]", "how many designs are returned", kPairSolve}};
 
 constexpr Metric kGearMetrics[] = {
     {"teeth", "1", "of a gear of a pair", "z"},

@@ -82,7 +82,7 @@ ordered_json gear_design_json(ordered_json mechanism, ordered_json metrics,
   return table;
 }
 
-ordered_json mechanism_json(const GearProblem& problem) {
+ordered_json pair_mechanism_json(const GearProblem& problem) {
   const ordered_json tables = problem_json(problem);
   ordered_json mechanism = {{"type", "gear"}};
   mechanism.update(tables["mechanism"]);
@@ -90,7 +90,7 @@ ordered_json mechanism_json(const GearProblem& problem) {
   return mechanism;
 }
 
-ordered_json mechanism_json(const GearPairDesign& design) {
+ordered_json pair_mechanism_json(const GearPairDesign& design) {
   const ordered_json tables = problem_json(design.settled);
   ordered_json mechanism = {{"type", "gear-pair"}};
   mechanism.update(tables["mechanism"]);
@@ -122,8 +122,8 @@ ordered_json columns_json(const GearResult& result) {
 
 ordered_json Kind<GearProblem>::design_json(const GearProblem& problem, const GearResult& result,
                                             std::size_t /*index*/) {
-  return gear_design_json(mechanism_json(problem), metrics_json(problem.gearing, result.metrics),
-                          {}, "given");
+  return gear_design_json(pair_mechanism_json(problem),
+                          metrics_json(problem.gearing, result.metrics), {}, "given");
 }
 
 void Kind<GearProblem>::add_findings(ordered_json& document, const GearProblem& /*problem*/,
@@ -134,7 +134,7 @@ void Kind<GearProblem>::add_findings(ordered_json& document, const GearProblem& 
 ordered_json Kind<GearPairProblem>::design_json(const GearPairProblem& /*problem*/,
                                                 const GearPairResult& result, std::size_t index) {
   const GearPairDesign& design = result.designs[index];
-  return gear_design_json(mechanism_json(design),
+  return gear_design_json(pair_mechanism_json(design),
                           metrics_json(design.settled.gearing, design.metrics), design.constraints,
                           design.origin);
 }

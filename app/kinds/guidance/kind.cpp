@@ -13,7 +13,7 @@ namespace {
 using nlohmann::ordered_json;
 using problems::MotionProblem;
 
-constexpr Entry kMotion[] = {
+constexpr Entry kGuidanceKeys[] = {
     {"target.poses", "[[x, y, angle_deg], ...], 2 to 10000 of them"},
     {"target.segments", "or: [[[x1, y1], [x2, y2]], ...], two points of the body in each pose"},
     {"target.method", "\"exact\" (default of 2 to 5 poses) or \"least-squares\" (3 and more)"},
@@ -35,7 +35,7 @@ constexpr QuantityColumn kGuidanceQuantities[] = {
 }  // namespace
 
 std::span<const Entry> Kind<MotionProblem>::keys() {
-  return kMotion;
+  return kGuidanceKeys;
 }
 
 std::string Kind<MotionProblem>::describe(const MotionProblem& problem) {

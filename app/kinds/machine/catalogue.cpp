@@ -13,7 +13,7 @@ constexpr auto kFlywheel = entries_of(keys::kFlywheelKeys);
 constexpr auto kBrake = entries_of(keys::kBrakeKeys);
 constexpr auto kRun = entries_of(keys::kRunKeys);
 
-constexpr KeyedEntry kTables[] = {
+constexpr KeyedEntry kMachineTables[] = {
     {"[[load]]", "as of an analysis, and also", kLoad},
     {"[equivalent]", "at the drive, instead of a [mechanism] or added to it", kEquivalent},
     {"[motor]", "what drives the machine", kMotor},
@@ -80,7 +80,7 @@ constexpr Metric kColumns[] = {
 }  // namespace
 
 std::vector<ListSection> Kind<problems::MachineProblem>::sections() {
-  return {list_section("machine_tables", "tables of a machine", kTables)};
+  return {list_section("machine_tables", "tables of a machine", kMachineTables)};
 }
 
 std::vector<MetricList> Kind<problems::MachineProblem>::metric_lists() {

@@ -57,7 +57,7 @@ ordered_json metrics_json(const GearTrainDesign& design) {
   return table;
 }
 
-ordered_json mechanism_json(const GearTrainDesign& design) {
+ordered_json train_mechanism_json(const GearTrainDesign& design) {
   ordered_json mechanism = {{"type", "gear-train"}};
   ordered_json tables = problem_json(design.settled);
   for (const char* key : {"kind", "title", "length_unit", "state"}) tables.erase(key);
@@ -77,7 +77,7 @@ ordered_json mechanism_json(const GearTrainDesign& design) {
 ordered_json Kind<GearTrainProblem>::design_json(const GearTrainProblem& /*problem*/,
                                                  const Result& result, std::size_t index) {
   const GearTrainDesign& design = result.designs[index];
-  ordered_json table = {{"mechanism", mechanism_json(design)},
+  ordered_json table = {{"mechanism", train_mechanism_json(design)},
                         {"crank_deg", ordered_json::array()},
                         {"error", {{"sum_of_squares", 0.0}, {"rms", 0.0}, {"max", 0.0}}},
                         {"metrics", metrics_json(design)},

@@ -62,14 +62,27 @@ function(cognate_page_kernel name)
   endforeach()
 endfunction()
 
+set(wasm_compile ${CMAKE_CXX_COMPILER_LAUNCHER} "${COGNATE_WASM_CXX}" ${wasm_flags}
+                 "-I${CMAKE_CURRENT_SOURCE_DIR}/kernel/surroundings" "-I${PROJECT_SOURCE_DIR}")
+
+# The headers that most sources include: they take a third of the time of compiling one.
+set(page_headers "${CMAKE_CURRENT_BINARY_DIR}/kernel/common.pch")
+add_custom_command(
+  OUTPUT "${page_headers}"
+  COMMAND ${wasm_compile} -MD -MF "${page_headers}.d" -MT "${page_headers}"
+          -x c++-header "${CMAKE_CURRENT_SOURCE_DIR}/kernel/common.hpp" -o "${page_headers}"
+  DEPENDS kernel/common.hpp
+  DEPFILE "${page_headers}.d"
+  COMMENT "Precompiling headers for the report pages"
+  VERBATIM)
+
 # The object of `source`, which is one for the compiler with what it includes.
 function(compile_for_pages source)
   add_custom_command(
     OUTPUT "${source}.o"
-    COMMAND ${CMAKE_CXX_COMPILER_LAUNCHER} "${COGNATE_WASM_CXX}" ${wasm_flags}
-            "-I${CMAKE_CURRENT_SOURCE_DIR}/kernel/surroundings" "-I${PROJECT_SOURCE_DIR}"
-            -MD -MF "${source}.o.d" -MT "${source}.o" -c "${source}" -o "${source}.o"
-    DEPENDS "${source}"
+    COMMAND ${wasm_compile} -MD -MF "${source}.o.d" -MT "${source}.o"
+            -include-pch "${page_headers}" -c "${source}" -o "${source}.o"
+    DEPENDS "${source}" "${page_headers}"
     DEPFILE "${source}.o.d"
     COMMENT "Building ${source} for the report pages"
     VERBATIM)
