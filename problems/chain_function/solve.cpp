@@ -6,7 +6,7 @@
 
 #include "analysis/numbers/parallel.hpp"
 #include "problems/chain/found_designs.hpp"
-#include "problems/chain/output_question.hpp"
+#include "problems/chain/output/question.hpp"
 #include "problems/chain_function/search.hpp"
 #include "problems/chain_function/verify.hpp"
 #include "problems/linkage/design_layers.hpp"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "problems/chain/cosine_scan.hpp"
-#include "problems/chain/output_space.hpp"
+#include "problems/chain/output/space.hpp"
 #include "problems/chain_function/problem.hpp"
 #include "problems/function/samples.hpp"
 

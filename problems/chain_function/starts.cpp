@@ -8,7 +8,7 @@
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/random.hpp"
-#include "problems/chain/output_dyad.hpp"
+#include "problems/chain/output/dyad.hpp"
 #include "synthesis/chain/transform.hpp"
 
 namespace cognate::problems {

@@ -8,7 +8,7 @@
 #include "analysis/numbers/parallel.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/chain/found_designs.hpp"
-#include "problems/chain/output_question.hpp"
+#include "problems/chain/output/question.hpp"
 #include "problems/dwell/raster.hpp"
 #include "problems/dwell/search.hpp"
 #include "problems/dwell/verify.hpp"

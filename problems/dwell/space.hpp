@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "problems/chain/output_space.hpp"
+#include "problems/chain/output/space.hpp"
 #include "problems/dwell/problem.hpp"
 
 namespace cognate::problems {

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "problems/chain/draw.hpp"
-#include "problems/chain/output_space.hpp"
+#include "problems/chain/output/space.hpp"
 
 namespace cognate::problems {
 

@@ -1,4 +1,4 @@
-#include "problems/chain/output_space.hpp"
+#include "problems/chain/output/space.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "problems/chain/output_question.hpp"
+#include "problems/chain/output/question.hpp"
 
 namespace cognate::problems {
 namespace {

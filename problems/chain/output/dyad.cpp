@@ -1,4 +1,4 @@
-#include "problems/chain/output_dyad.hpp"
+#include "problems/chain/output/dyad.hpp"
 
 #include <algorithm>
 #include <cmath>
