@@ -8,7 +8,7 @@
 
 namespace cognate {
 
-/// A strip, by its middle line and half its width.
+/// The narrowest strip that holds points, by its middle line and half its width.
 struct NarrowestStrip {
   Vec2d through;
   Vec2d direction{1, 0};  ///< unit vector

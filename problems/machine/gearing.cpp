@@ -17,7 +17,7 @@ Transmission transmission_of(const MotorTrain& train) {
 
 }  // namespace
 
-double Gearing::torque_at_drive(double torque, double omega, double load) const {
+double MotorGearing::torque_at_drive(double torque, double omega, double load) const {
   const double ideal = ratio * torque;
   if (torque != 0 && (ideal > 0) == (omega > 0)) return ideal * efficiency;
   if (!is_self_locking()) return ideal / reverse_efficiency;
@@ -25,7 +25,7 @@ double Gearing::torque_at_drive(double torque, double omega, double load) const 
   return omega > 0 ? -std::max(0.0, load) : -std::min(0.0, load);
 }
 
-Gearing gearing_of(const Motor& motor) {
+MotorGearing gearing_of(const Motor& motor) {
   if (!motor.train) return {motor.ratio, motor.efficiency, motor.efficiency, 0};
   const Transmission found = transmission_of(*motor.train);
   const auto ratio = found.ratio.convert_to<double>();
@@ -34,7 +34,7 @@ Gearing gearing_of(const Motor& motor) {
 }
 
 double motor_inertia(const Motor& motor) {
-  const Gearing gearing = gearing_of(motor);
+  const MotorGearing gearing = gearing_of(motor);
   return motor.inertia * gearing.ratio * gearing.ratio + gearing.inertia;
 }
 

@@ -9,7 +9,7 @@
 namespace cognate::problems {
 
 /// Gears as the machine's equation of motion knows them.
-struct Gearing {
+struct MotorGearing {
   double ratio = 1;       ///< motor speed over drive speed; of a reversed motor its negative
   double efficiency = 1;  ///< of power from the motor to the drive
   double reverse_efficiency = 1;  ///< of power from the drive to the motor; 0: self-locking
@@ -25,7 +25,7 @@ struct Gearing {
 };
 
 /// Of a valid motor.
-Gearing gearing_of(const Motor& motor);
+MotorGearing gearing_of(const Motor& motor);
 
 /// Of rotor and gears, equivalent at the drive, of a valid motor.
 double motor_inertia(const Motor& motor);

@@ -212,7 +212,7 @@ bool repeats(const Mechanism<double>& mechanism, const AssemblyRanges& two_turns
 struct Parts {
   std::optional<ReducedMechanism> mechanism;
   std::optional<MachineFunction> inertia, torque;
-  Gearing gearing;
+  MotorGearing gearing;
   MachineFunction motor;  ///< its torque; without a value where it is off
   double constant_inertia = 0;
   double brake = 0;
