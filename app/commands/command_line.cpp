@@ -83,6 +83,7 @@ void add_export_options(CLI::App& command, Arguments& arguments) {
   add("--screw", texts.screw, "M5", "of parts: screws as pins, with nuts and washers");
   add("--washer", texts.washer, "T[xD]", "of parts: washers between layers, D outside");
   add("--boss", texts.boss, "D", "of solid parts: bosses where pins cross layers");
+  add("--block", texts.block, "LxW", "of parts: blocks about the pins that run in slots");
   command.add_flag("--spacers", texts.spacers, "of parts: rings for layers that pins cross");
   command.add_flag("--bill", texts.bill, "of parts: also a bill of material, NAME.bill.csv");
   add("--kerf", texts.kerf, "K", "of parts, gears, cams: width of a cut (default 0)");

@@ -126,8 +126,9 @@ inline constexpr const char* kExportTail =
   --labels stroke writes names in single strokes on ENGRAVE, --sheet 600x400
   packs the parts on sheets with their edges on SHEETS, --bearing 608 gives
   holes the outside diameter of a bearing, --screw M5 makes screws of the pins,
-  --bill writes NAME.bill.csv: plates, pins or screws with nuts, spacers,
-  washers, bearings.
+  --block 20x12 gives pins that run in slots a block, --bill writes
+  NAME.bill.csv: plates, blocks, pins or screws with nuts, spacers, washers,
+  bearings.
   Of a cam:
     NAME.dxf   a closed polyline on the layer PROFILE, PITCH or CUTTER, the base
                circle of the profile on BASE_CIRCLE, the prime circle of a

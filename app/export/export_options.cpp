@@ -103,6 +103,7 @@ class OptionReader {
     order.washer = washer.x;
     order.washer_outside = washer.y;
     if (texts_.boss) take(parse_length("--boss", *texts_.boss), order.boss);
+    if (texts_.block) take(parse_block(*texts_.block), order.block);
     if (texts_.sheet) take(parse_sheet(*texts_.sheet), order.sheet);
     order.kerf = options_.kerf;
     order.bill = texts_.bill;
@@ -214,6 +215,7 @@ class OptionReader {
                                            {"--screw", &texts_.screw},
                                            {"--washer", &texts_.washer},
                                            {"--boss", &texts_.boss},
+                                           {"--block", &texts_.block},
                                            {"--sheet", &texts_.sheet}});
     for (const auto& [name, given] :
          {std::pair("--bill", texts_.bill), std::pair("--spacers", texts_.spacers)}) {

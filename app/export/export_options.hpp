@@ -102,7 +102,7 @@ struct ExportTexts {
   std::optional<std::string> position, steps;
   bool parts = false;
   std::optional<std::string> hole, width, clearance, gap, thickness;
-  std::optional<std::string> labels, bearing, screw, washer, sheet, boss;
+  std::optional<std::string> labels, bearing, screw, washer, sheet, boss, block;
   bool bill = false, spacers = false;
   std::optional<std::string> kerf, bore, hub, hub_length;
   bool keyway = false, timing_mark = false;
@@ -138,6 +138,7 @@ inline constexpr auto kExportTexts = std::to_array<ExportOption<std::optional<st
      {"--washer", &ExportTexts::washer},
      {"--sheet", &ExportTexts::sheet},
      {"--boss", &ExportTexts::boss},
+     {"--block", &ExportTexts::block},
      {"--kerf", &ExportTexts::kerf},
      {"--bore", &ExportTexts::bore},
      {"--hub", &ExportTexts::hub},

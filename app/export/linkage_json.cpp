@@ -72,7 +72,8 @@ ordered_json part_json(const PartOptions& told, std::size_t i) {
   for (const PartSlot& slot : part.slots) {
     slots.push_back({{"slider", slot.name},
                      {"from", to_json(on_sheet(place, slot.from))},
-                     {"to", to_json(on_sheet(place, slot.to))}});
+                     {"to", to_json(on_sheet(place, slot.to))},
+                     {"width", slot.width}});
   }
   ordered_json table = {
       {"name", part.name}, {"plane", told.layers.layers[i]}, {"holes", holes}, {"slots", slots}};

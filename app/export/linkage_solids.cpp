@@ -74,8 +74,7 @@ class LinkageSolids {
     for (const PartSlot& slot : part.slots) {
       std::vector<Vec2d> way = {slot.from};
       if (norm(slot.to - slot.from) > kOnePlace * norm(slot.from)) way.push_back(slot.to);
-      const double half = 0.5 * (parts_.order.hole + parts_.order.clearance);
-      solid.holes.push_back({rounded_loop(way, half), low, high});
+      solid.holes.push_back({rounded_loop(way, 0.5 * slot.width), low, high});
     }
     solids_.push_back(std::move(solid));
   }

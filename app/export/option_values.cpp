@@ -78,6 +78,11 @@ tl::expected<Vec2d, std::string> parse_sheet(const std::string& text) {
   return refusal("--sheet", text, "a width and a height such as 600x400");
 }
 
+tl::expected<Vec2d, std::string> parse_block(const std::string& text) {
+  if (const auto sizes = two_lengths(text)) return *sizes;
+  return refusal("--block", text, "a length along the slot and a width such as 20x12");
+}
+
 tl::expected<Vec2d, std::string> parse_washer(const std::string& text) {
   if (const auto thickness = parse_length("--washer", text)) return Vec2d{*thickness, 0};
   if (const auto sizes = two_lengths(text)) return *sizes;

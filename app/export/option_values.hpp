@@ -29,6 +29,7 @@ OptionValue<int> parse_count(std::string_view option, std::string_view text, int
 
 /// Two lengths as "600x400".
 OptionValue<Vec2d> parse_sheet(const std::string& text);
+OptionValue<Vec2d> parse_block(const std::string& text);
 
 /// A thickness, or a thickness and an outside diameter as "1x10"; the diameter is 0 without one.
 OptionValue<Vec2d> parse_washer(const std::string& text);

@@ -12,7 +12,7 @@ import sys
 import unittest
 
 from drawn_outlines import apart, area, box, corners_of, holds, outline_of
-from exported_linkages import distance_to_segment, ExportedLinkages, LIBRARY, run
+from exported_linkages import CYLINDERS, distance_to_segment, ExportedLinkages, LIBRARY, run
 
 try:
     import ezdxf
@@ -388,6 +388,21 @@ class ExportSheets(ExportedLinkages):
         wider, _ = self.sheet(result, "--parts", "--hole", 4, "--width", 10, "--labels", "none", "--gap", 2,
                               "--sheet", "45x100")
         self.assertEqual(wider["sheets"]["count"], 2)
+
+    def test_a_driving_cylinder_is_on_no_sheet(self):
+        """Parts beside one that is bought, on a sheet that holds the longest upright only."""
+        for name in CYLINDERS:
+            with self.subTest(name):
+                result = self.named(name)
+                hole, width = self.sizes(result)[2], self.sizes(result)[4]
+                options = ("--parts", "--hole", hole, "--width", width, "--labels", "none", "--gap", 0)
+                boxes = [box(outline_of(line)) for line in self.outlines(self.sheet(result, *options)[1])]
+                longest = max(max(c - a, d - b) for a, b, c, d in boxes)
+                across = max(min(c - a, d - b) for a, b, c, d in boxes)
+                self.check_sheet(result, *options, "--sheet", f"{1.2 * across:.9g}x{1.01 * longest:.9g}")
+                self.assertIn("too small for the part",
+                              self.refusal(result, "--format", "json", *options, "--sheet",
+                                           f"{1.2 * across:.9g}x{0.99 * longest:.9g}"))
 
     def test_parts_larger_than_the_sheet(self):
         result = self.in_millimetres()

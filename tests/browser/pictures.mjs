@@ -133,6 +133,13 @@ if (!wanted.length || wanted.includes("sheet")) {
     "--width", "6", "--kerf", "0.2", "--labels", "stroke", "--sheet", "120x90", "--gap", "2", "--out", scratch, "--quiet"]);
   copyFileSync(path.join(scratch, "jansen-leg.parts.svg"), path.join(folder, "sheet.svg"));
 }
+// Those of a shaper, its sliders with blocks.
+if (!wanted.length || wanted.includes("blocks")) {
+  execFileSync(program, ["analyze", path.join(library, "analysis/shaper.toml"), "--out", scratch, "--quiet"]);
+  execFileSync(program, ["export", path.join(scratch, "shaper.result.json"), "--format", "svg", "--parts", "--hole", "0.01",
+    "--width", "0.05", "--thickness", "0.02", "--clearance", "0.001", "--block", "0.05x0.025", "--out", scratch, "--quiet"]);
+  copyFileSync(path.join(scratch, "shaper.parts.svg"), path.join(folder, "blocks.svg"));
+}
 // Klann's leg as solids.
 if (!wanted.length || wanted.includes("solids")) {
   execFileSync(program, ["analyze", path.join(library, "analysis/klann-leg.toml"), "--out", scratch, "--quiet"]);

@@ -10,11 +10,10 @@
 #include "analysis/layers/plates.hpp"
 #include "analysis/numbers/convex_hull.hpp"
 #include "analysis/numbers/segment.hpp"
+#include "app/export/parts/part_blocks.hpp"
 
 namespace cognate::app {
 namespace {
-
-constexpr double kThinWall = 0.1;  // of a hole
 
 /// A slider that carries nothing but its joint.
 bool is_mere_pin(const LinkShape& link) {
@@ -28,13 +27,13 @@ bool is_close(const Vec2d& p, const LinkPart& part, const PartOrder& order) {
              part.holes,
              [&](const PartHole& hole) { return norm(hole.at - p) < pin + 0.5 * hole.diameter; }) ||
          std::ranges::any_of(part.slots, [&](const PartSlot& slot) {
-           return distance_to_segment(p, slot.from, slot.to) < pin + 0.5 * order.hole;
+           return distance_to_segment(p, slot.from, slot.to) <
+                  pin + 0.5 * (slot.width - order.clearance);
          });
 }
 
-bool runs_into(const PartSlot& slot, const PartHole& hole, const PartOrder& order) {
-  return distance_to_segment(hole.at, slot.from, slot.to) <=
-         0.5 * (hole.diameter + order.hole + order.clearance);
+bool runs_into(const PartSlot& slot, const PartHole& hole) {
+  return distance_to_segment(hole.at, slot.from, slot.to) <= 0.5 * (hole.diameter + slot.width);
 }
 
 class PartsMaker {
@@ -45,7 +44,7 @@ class PartsMaker {
   LinkParts make() {
     for (std::size_t i = 0; i < shown_.links.size(); ++i) add_part(static_cast<int>(i));
     // The guide pins of a slider, which lengthen the slot, keep off its own slots.
-    for (LinkPart& part : made_.parts) add_slots(part);
+    for (std::size_t i = 0; i < made_.parts.size(); ++i) add_slots(i);
     add_joint_pins();
     if (order_.bearing) seat_bearings();
     for (LinkPart& part : made_.parts) add_guide_pins(part);
@@ -60,8 +59,10 @@ class PartsMaker {
   void add_part(int number) {
     const LinkShape& given = link(number);
     if (number > 0 && is_mere_pin(given)) {
-      made_.notes.push_back(
-          fmt::format("{} is no part but the pin that runs in a slot", given.name));
+      if (!order_.block) {
+        made_.notes.push_back(
+            fmt::format("{} is no part but the pin that runs in a slot", given.name));
+      }
       return;
     }
     if (shown_.cylinder && number == kDrivingRod) return;  // with its cylinder
@@ -94,15 +95,29 @@ class PartsMaker {
                     given.name, link(kDrivingRod).name));
   }
 
-  void add_slots(LinkPart& part) {
+  void add_slots(std::size_t bearer) {
+    LinkPart& part = made_.parts[bearer];
     for (const Rail& rail : link(part.link).shape.rails) {
-      part.slots.push_back({link(rail.traveller).name, rail.from, rail.to});
+      const LinkShape& traveller = link(rail.traveller);
+      part.slots.push_back(
+          {traveller.name, rail.from, rail.to, order_.hole + order_.clearance});
+      if (order_.block && is_mere_pin(traveller)) add_block(bearer, rail);
     }
     std::erase_if(part.holes, [&](const PartHole& hole) {
       return !hole.pin && std::ranges::any_of(part.slots, [&](const PartSlot& slot) {
-        return runs_into(slot, hole, order_);
+        return runs_into(slot, hole);
       });
     });
+  }
+
+  /// The block of a mere pin, and the last slot of its bearer so wide and so much longer that the
+  /// corners of the block stay out of the round ends.
+  void add_block(std::size_t bearer, const Rail& rail) {
+    const LinkShape& slider = link(rail.traveller);
+    made_.blocks.push_back({block_part(rail.traveller, slider, order_), bearer});
+    PartSlot& slot = made_.parts[bearer].slots.back();
+    lengthen(slot, rail, 0.5 * order_.block->x);
+    slot.width = order_.block->y + order_.clearance;
   }
 
   /// Two pins along the first axis of a slider that is a part, and the longer slot for them.
@@ -264,6 +279,7 @@ std::optional<std::string> impossible(const PartOrder& order) {
         "--hole: washers of {:.6g} fall through holes of {:.6g}; allowed are smaller holes",
         order.washer_outside, order.hole);
   }
+  if (const auto why = impossible_block(order)) return why;
   if (!(order.kerf < order.hole)) {
     return fmt::format(
         "--kerf: {:.6g} leaves nothing of holes of {:.6g}; allowed is less than that", order.kerf,
@@ -289,21 +305,16 @@ std::optional<std::string> overlap(const LinkPart& part, const PartOrder& order)
   return std::nullopt;
 }
 
-void note_slots_over_holes(const LinkPart& part, const PartOrder& order,
-                           std::vector<std::string>& notes) {
+void note_slots_over_holes(const LinkPart& part, std::vector<std::string>& notes) {
   for (const PartSlot& slot : part.slots) {
     for (const PartHole& hole : part.holes) {
-      if (!runs_into(slot, hole, order)) continue;
+      if (!runs_into(slot, hole)) continue;
       notes.push_back(
           fmt::format("the slot of {} for {} runs into its hole {}: no flat part can "
                       "have both",
                       part.name, slot.name, hole.name));
     }
   }
-}
-
-bool is_thin(double wall, const PartOrder& order) {
-  return wall > 0 && wall < kThinWall * order.hole * (1 - 1e-12);
 }
 
 void note_thin_walls(const LinkPart& part, const PartOrder& order,
@@ -343,15 +354,21 @@ double PartOrder::narrowest() const {
   return least;
 }
 
+bool is_thin(double wall, const PartOrder& order) {
+  constexpr double kThinWall = 0.1;  // of a hole
+  return wall > 0 && wall < kThinWall * order.hole * (1 - 1e-12);
+}
+
 tl::expected<LinkParts, std::string> link_parts(const LinkShapes& shown, const PartOrder& order) {
   if (const auto why = impossible(order)) return tl::unexpected(*why);
   LinkParts made = PartsMaker(shown, order).make();
   for (const LinkPart& part : made.parts) {
     if (const auto why = overlap(part, order)) return tl::unexpected(*why);
-    note_slots_over_holes(part, order, made.notes);
+    note_slots_over_holes(part, made.notes);
     note_thin_walls(part, order, made.notes);
   }
   note_thin_rims(order, made.notes);
+  note_blocks(made, order);
   return made;
 }
 

@@ -34,6 +34,7 @@ struct PartOrder {
   bool bill = false;               ///< whether the bill of material is a file of its own
   bool spacers = false;            ///< whether spacers are parts as well
   std::optional<double> boss;      ///< diameter of bosses on solid plates in place of spacers
+  std::optional<Vec2d> block;      ///< length and width of the blocks of sliders
   std::vector<problems::LinkWidth> widths{};  ///< of links that have their own
   double apart = 0;  ///< that parts and pins of one layer keep from each other
 
@@ -48,10 +49,11 @@ struct PartHole {
   double diameter = 0;  ///< of the finished hole
 };
 
-/// A slot for a pin: the way of the pin's centre.
+/// A slot for a pin or a block, with round ends about `from` and `to`.
 struct PartSlot {
   std::string name;  ///< of the link that slides in it
   Vec2d from{}, to{};
+  double width = 0;  ///< of the finished slot
 };
 
 /// A link with its holes, in its own axes. Its outline keeps `rim` from `hull`. A driving cylinder
@@ -76,16 +78,27 @@ struct PartPin {
   int bearings = 0;  ///< on it
 };
 
+/// A block about the pin of a slider: it lies in a slot, and in the layer of the part with that.
+struct SlidingBlock {
+  LinkPart part;
+  std::size_t bearer = 0;  ///< index of the part with the slot
+};
+
 struct LinkParts {
   std::vector<LinkPart> parts;  ///< the frame first
+  std::vector<SlidingBlock> blocks;
   std::vector<PartPin> pins;
   std::vector<std::string> notes;
 };
 
+/// Whether a wall beside a hole is so thin that it may break: less than a tenth of the hole.
+bool is_thin(double wall, const PartOrder& order);
+
 /// The parts of the links: a hole at every joint and named point (but none at a point in a slot), a
 /// slot for everything that slides on the link, and about them the convex hull with round ends. A
-/// slider with nothing but one joint is no part: it is a pin in the slot. One with more has two
-/// pins of its own in the slot, which keep its direction. With a bearing a pin is fast in the first
+/// slider with nothing but one joint is a pin in the slot, with the block of the order about it
+/// where there is one. One with more has two pins of its own in the slot, which keep its
+/// direction. With a bearing a pin is fast in the first
 /// of its links, the frame if it joins that, and the holes of the others take the bearing. A
 /// driving cylinder is one part with its rod, with no outline. The error says which size is not
 /// possible, or which holes would overlap, and what is allowed.

@@ -216,6 +216,10 @@ PlanOutline rounded_outline(const std::string& layer, const std::vector<Vec2d>& 
     // The turn from one side to the next is half a turn at most: an arc about the corner.
     double turn = std::atan2(cross(here, next), dot(here, next));
     if (turn < 0) turn = -turn;
+    if (distance == 0) {
+      outline.corners.push_back({hull[i]});
+      continue;
+    }
     outline.corners.push_back({hull[i] + out});
     outline.corners.push_back({hull[(i + 1) % count] + out, std::tan(turn / 4)});
   }

@@ -19,7 +19,8 @@ namespace cognate::app {
 std::optional<PlanOutline> offset_outline(const PlanOutline& outline, double distance,
                                           double slack = 0);
 
-/// The outline at `distance` about the convex polygon `hull`: lines and arcs. None of a mere point.
+/// The outline at `distance` about the convex polygon `hull`: lines and arcs, at no
+/// distance its corners. None of a mere point.
 PlanOutline rounded_outline(const std::string& layer, const std::vector<Vec2d>& hull,
                             double distance);
 

@@ -92,6 +92,7 @@ class BillMaker {
 
   PartBill make(const SpacerFinder& spacers) {
     for (std::size_t i = 0; i < made_.parts.size(); ++i) add_plate(i);
+    for (const SlidingBlock& block : made_.blocks) add_block(block);
     for (const PartPin& pin : made_.pins) add_pin(pin);
     if (!order_.boss) add_spacers(spacers);
     if (order_.washer > 0) add_washers();
@@ -117,6 +118,16 @@ class BillMaker {
                           .length = size.x,
                           .width = size.y,
                           .thickness = order_.thickness});
+  }
+
+  void add_block(const SlidingBlock& block) {
+    bill_.rows.push_back({.item = "block",
+                          .name = block.part.name,
+                          .layers = {layers_.layers[block.bearer]},
+                          .length = order_.block->x,
+                          .width = order_.block->y,
+                          .thickness = order_.thickness,
+                          .bore = order_.hole});
   }
 
   void add_pin(const PartPin& pin) {

@@ -197,7 +197,7 @@ class SheetMaker {
       const LaidPart flat = laid(i, direction);
       const bool is_text = order_.labels == PartLabels::text;  // which is never turned
       parts.push_back({flat, is_text ? laid(i, perp(direction)) : upright(flat)});
-      const Vec2d lying = flat.box.size(), turned = parts[i][1].box.size();
+      const Vec2d lying = flat.box.size(), turned = parts.back()[1].box.size();
       items.push_back({{lying, turned}});
       if (!fits_sheet(lying, *order_.sheet) && !fits_sheet(turned, *order_.sheet)) {
         return fmt::format(
@@ -249,7 +249,7 @@ class SheetMaker {
       if (norm(slot.to - slot.from) > kOnePlace * norm(slot.from)) {
         way.push_back(on_sheet(place, slot.to));
       }
-      add_rounded("SLOTS", way, 0.5 * (order_.hole + order_.clearance - order_.kerf));
+      add_rounded("SLOTS", way, 0.5 * (slot.width - order_.kerf));
     }
     for (const PartHole& hole : part.holes) {
       sheet_.plan.circles.push_back(

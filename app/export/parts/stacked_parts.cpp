@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "analysis/mechanism/assembly_ranges.hpp"
+#include "app/export/parts/part_blocks.hpp"
 #include "synthesis/search/deadline.hpp"
 
 namespace cognate::app {
@@ -22,6 +23,8 @@ tl::expected<BilledParts, std::string> stacked_parts(const Mechanism<double>& me
   PartBill bill = part_bill(moving, *made, *layers, order);
   auto bosses = part_bosses(moving, *made, *layers, order);
   if (!bosses) return tl::unexpected(bosses.error());
+  if (const auto why = blocks_meet(moving, *made, order)) return tl::unexpected(*why);
+  add_block_parts(*made, *layers);
   return BilledParts{*std::move(made), *std::move(layers), std::move(bill), *std::move(bosses)};
 }
 
