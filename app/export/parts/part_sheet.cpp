@@ -179,7 +179,8 @@ class SheetMaker {
     std::vector<LaidPart> parts;
     std::vector<Box> boxes;
     for (const std::size_t i : cut_) {
-      parts.push_back(laid(i, lying(made_.parts[i].hull)));
+      const LinkPart& part = made_.parts[i];
+      parts.push_back(laid(i, part.rim > 0 ? lying(part.hull) : tight(part)));
       boxes.push_back(parts.back().box);
     }
     const auto corners = rows_of(boxes, gap_);
