@@ -78,6 +78,16 @@ TEST(GearTrainTest, ClockCountsSeconds) {
   EXPECT_NEAR(number(design, "equivalent_inertia_kg_m2"), 0.104112, 1e-12);
 }
 
+// 16 · 19/(43 · 49): the least square of the error in 1/6.931, 2.70086e-12, of the many searches
+// that were tried on it (Deb and Goyal, Computer Science and Informatics 26 (1996) 30-45).
+TEST(GearTrainTest, TheBestTrainOfSandgren) {
+  const auto result = solve(library("two-pairs"), {});
+  ASSERT_EQ(result.status, Status::solved);
+  const double ratio = number(result.designs.front(), "ratio");
+  EXPECT_NEAR(ratio, 43.0 * 49 / (16 * 19), 1e-14);
+  EXPECT_NEAR(std::pow(1 / 6.931 - 1 / ratio, 2), 2.700857e-12, 1e-17);
+}
+
 TEST(GearTrainTest, ProductsAreAllAndOnce) {
   for (const int count : {1, 2, 3}) {
     std::map<std::uint64_t, int> expected;
