@@ -96,12 +96,17 @@ class Pack {
         const Vec2<T> from = place(output.guide, lifted(output.through));
         return {dot(bodies_[body].origin[0] - from, along), T(0)};
       }
+      case BlockOutput::Of::along: {
+        const Attached<T>& point = points_[static_cast<std::size_t>(output.point)];
+        return {dot(place(point.body, point.at), lifted(output.along)), T(0)};
+      }
       case BlockOutput::Of::transmission:
         return {closures_[body].cosine + T(0) * closures_[body].sine,
                 sides_[body] * closures_[body].sine};
-      default:
-        return bodies_[body].direction;
+      case BlockOutput::Of::angle:
+        break;
     }
+    return bodies_[body].direction;
   }
 
   const BlockTask& task_;

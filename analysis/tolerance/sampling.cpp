@@ -57,6 +57,30 @@ struct PieceSums {
   std::size_t drawn = 0, assembled = 0;
 };
 
+BlockOutput block_output(const Response& response) {
+  const int index = static_cast<int>(response.index);
+  switch (response.type) {
+    case ResponseType::displacement: {
+      const SlidingPair& slide = response.slide;
+      return {.of = BlockOutput::Of::displacement,
+              .body = slide.slider,
+              .guide = slide.through.body,
+              .through = slide.through.at,
+              .along = slide.direction};
+    }
+    case ResponseType::point:
+      return {.of = BlockOutput::Of::point, .point = index};
+    case ResponseType::along:
+      return {.of = BlockOutput::Of::along, .point = index, .along = response.direction};
+    case ResponseType::transmission:
+      return {.of = BlockOutput::Of::transmission, .body = index};
+    case ResponseType::angle:
+    case ResponseType::closure:  // of which no samples are asked
+      break;
+  }
+  return {.of = BlockOutput::Of::angle, .body = index};
+}
+
 /// The room in which a thread computes blocks.
 class BlockRoom {
  public:
@@ -68,15 +92,7 @@ class BlockRoom {
         extremes_(question.judged.size() * kBlockSamples) {
     const std::size_t column = question.stations.size() * kBlockSamples;
     for (std::size_t r = 0; r < question.judged.size(); ++r) {
-      const Response& response = question.judged[r].response;
-      BlockOutput output;
-      output.of = static_cast<BlockOutput::Of>(response.type);
-      output.body = response.type == ResponseType::displacement ? response.slide.slider
-                                                                : static_cast<int>(response.index);
-      output.point = static_cast<int>(response.index);
-      output.guide = response.slide.through.body;
-      output.through = response.slide.through.at;
-      output.along = response.slide.direction;
+      BlockOutput output = block_output(question.judged[r].response);
       output.x = values_.data() + r * column;
       output.y = output.x + question.judged.size() * column;
       outputs_.push_back(output);

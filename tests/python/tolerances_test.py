@@ -101,6 +101,36 @@ class SamplesTest(unittest.TestCase):
         own = wrapped(rocker(normal(2, 0.002, 4)) - rocker(np.zeros((4, 1, 1))))
         self.agree(self.judged(table), table["samples"], np.degrees(own))
 
+    def test_slider_of_a_function(self):
+        """A slider-crank's slider along its guide, from the one equation of its triangle."""
+        result = cognate.solve(
+            kind="function-generation", length_unit="mm",
+            target={"function": "x^2", "domain": [0, 1], "input_range_deg": 60, "output_range": 100,
+                    "objective": "minimax"},
+            mechanism={"type": "slider-crank"}, bounds={"length": [10, 1000]},
+            constraints={"transmission_angle_deg": [30, 150]}, solve={"designs": 1},
+            tolerance={"length": 0.3, "samples": 100_000}, threads=1)
+        design = result.document["designs"][0]
+        table, chain = design["tolerance"], design["mechanism"]
+        dyad_of_slider = chain["dyad"][0]
+        slide = dyad_of_slider["slide"]
+        self.assertEqual((slide["through"], chain["pivot"][0]["at"]), ("A", [0, 0]))
+        side = 1 if dyad_of_slider["assembly"] == "open" else -1
+        angles = np.radians(np.array(table["crank_deg"]) - slide["direction_deg"])
+
+        def way(change):
+            crank, rod = chain["crank"]["length"] + change[0], dyad_of_slider["lengths"][0] + change[1]
+            high = slide["offset"] + change[2] - crank * np.sin(angles)
+            return crank * np.cos(angles) + side * np.sqrt(rod ** 2 - high ** 2)
+
+        self.assertEqual([one["name"] for one in table["dimensions"]], ["crank", "BC", "slider-C"])
+        errors = way(normal(6, 0.3, 3)) - way(np.zeros((3, 1, 1)))
+        self.agree(self.judged(table), table["samples"], errors)
+        judged = next(one for one in table["quantities"] if one["judged"])
+        extremes = np.abs(errors + np.array(judged["positions"]["nominal"])).max(axis=1)
+        for quantile in judged["quantiles"][:4]:
+            self.assertAlmostEqual(quantile["error"] / np.quantile(extremes, quantile["share"]), 1, delta=0.02)
+
     def test_chain_of_two_dyads(self):
         chain = {"type": "chain",
                  "pivot": [{"name": "A", "at": [0, 0]}, {"name": "D", "at": [110, 0]},
