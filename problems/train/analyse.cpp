@@ -180,12 +180,22 @@ class TrainAnalysis {
     }
     const auto found = loads(known, unknown);
     if (!found) {
+      set_self_locking();
       note(
           "With these torques the train is self-locking: no sense of the power through its meshes "
           "agrees with the torques that follow from it.");
       return;
     }
     show(*found);
+  }
+
+  void set_self_locking() {
+    const auto own = std::ranges::find(design_.metrics, "self_locking", &Quantity::name);
+    if (own == design_.metrics.end()) {
+      add("self_locking", true);
+    } else {
+      own->value = true;
+    }
   }
 
   void show(const TrainLoads& loads) {

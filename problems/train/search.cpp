@@ -93,11 +93,11 @@ class TrainSearch {
     }
   }
 
-  /// The relative error of `ratio`; nothing where it is beyond the tolerance.
-  std::optional<double> error_of(double ratio, double wanted) const {
-    const double error = std::abs(ratio / wanted - 1);
-    if (error > tolerance_ + kExactRatio) return std::nullopt;
-    return error <= kExactRatio ? 0 : error;
+  /// The relative error of the ratio; nothing where it is beyond the tolerance.
+  std::optional<double> error_of(int driven, int driver, double wanted) const {
+    const double error =
+        ratio_error(static_cast<std::uint64_t>(driven), static_cast<std::uint64_t>(driver), wanted);
+    return error > tolerance_ + kExactRatio ? std::nullopt : std::optional(error);
   }
 
   /// z₁ + w₁ = z₂ + w₂, so that w₁w₂ grows with w₁: of each pair of drivers those nearest to the
@@ -124,8 +124,7 @@ class TrainSearch {
     const int other = first + driven - second;
     const auto [least, most] = target_.teeth;
     if (other < least || other > most) return true;
-    const double ratio = double(driven) * other / (double(first) * second);
-    const auto error = error_of(ratio, std::abs(target_.ratio));
+    const auto error = error_of(driven * other, first * second, std::abs(target_.ratio));
     const bool by_error = target_.objective == TrainObjective::error;
     if (!error || (by_error && !best_.may_take(*error, 0))) return false;
     const int size = 2 * (first + driven);
@@ -135,8 +134,8 @@ class TrainSearch {
     return true;
   }
 
-  /// ω_in/ω_out of sun, ring and carrier: a ω of all add up to 0.
-  double planetary_ratio(double sun, double ring) const {
+  /// Of ω_in/ω_out of sun, ring and carrier: a ω of all add up to 0.
+  std::optional<double> planetary_error(int sun, int ring) const {
     const auto coefficient = [&](PlanetaryMember member) {
       switch (member) {
         case PlanetaryMember::sun:
@@ -146,9 +145,11 @@ class TrainSearch {
         case PlanetaryMember::carrier:
           return -(sun + ring);
       }
-      return 0.0;
+      return 0;
     };
-    return -coefficient(target_.output) / coefficient(target_.input);
+    const int output = coefficient(target_.output), input = coefficient(target_.input);
+    const int sense = (output < 0) == (input < 0) ? -1 : 1;
+    return error_of(std::abs(output), std::abs(input), sense * target_.ratio);
   }
 
   /// The greatest number of planets that fit; 0 where none does.
@@ -168,7 +169,7 @@ class TrainSearch {
         const int ring = sun + 2 * planet;
         if (ring > most_ring) break;
         if (ring < fewest_ring) continue;
-        const auto error = error_of(planetary_ratio(sun, ring), target_.ratio);
+        const auto error = planetary_error(sun, ring);
         if (!error || !best_.may_take(*error, 2 * ring)) continue;
         const int count = planets_that_fit(sun, planet, ring);
         if (count == 0) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 namespace cognate::problems {
@@ -107,10 +108,13 @@ class QuotientFinder {
 
   /// Whether those farther from the ratio may still be among the best.
   bool keep(const ToothProduct& driven, const ToothProduct& driver) {
-    const double error = std::abs(static_cast<double>(driven.product) / wanted(driver) - 1);
-    if (error > search_.tolerance + kExactRatio) return false;
-    const ToothQuotient found{driven, driver, pairs_, error <= kExactRatio ? 0 : error};
     const bool is_full = best_.size() == search_.count;
+    const double most = is_full && !search_.by_size ? best_.back().error : search_.tolerance;
+    const double nearly = std::abs(static_cast<double>(driven.product) / wanted(driver) - 1);
+    if (nearly > most + 4 * kExactRatio) return false;
+    const double error = ratio_error(driven.product, driver.product, search_.ratio);
+    if (error > search_.tolerance + kExactRatio) return false;
+    const ToothQuotient found{driven, driver, pairs_, error};
     if (is_full && !search_.by_size && found.error > best_.back().error) return false;
     if (is_full && !search_.is_better(found, best_.back())) return true;
     const auto place = std::ranges::upper_bound(
@@ -147,6 +151,13 @@ class QuotientFinder {
 };
 
 }  // namespace
+
+double ratio_error(std::uint64_t driven, std::uint64_t driver, double wanted) {
+  const std::uint64_t common = std::gcd(driven, driver);
+  const double ratio = static_cast<double>(driven / common) / static_cast<double>(driver / common);
+  const double error = std::abs(ratio / wanted - 1);
+  return error <= kExactRatio ? 0 : error;
+}
 
 std::vector<ToothProduct> tooth_products(const std::array<int, 2>& bounds, int count) {
   std::vector<ToothProduct> all;

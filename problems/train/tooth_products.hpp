@@ -11,6 +11,10 @@ namespace cognate::problems {
 /// A relative error of a ratio up to this is the rounding of an exact one.
 inline constexpr double kExactRatio = 4e-16;
 
+/// By how much driven/driver differs from `wanted`, relative to that; 0 where only by rounding. Of
+/// the lowest terms, so that all pairs of numbers with one ratio have the same error to the bit.
+double ratio_error(std::uint64_t driven, std::uint64_t driver, double wanted);
+
 /// A product of some numbers of teeth, and the least sum of numbers that have it.
 struct ToothProduct {
   std::uint64_t product = 1;

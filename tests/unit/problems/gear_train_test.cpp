@@ -187,6 +187,84 @@ TEST(GearTrainTest, TheBestFewAreTheBestFewOfAll) {
   for (const auto& quotient : best) EXPECT_NEAR(quotient.error, (next++)->first, 1e-15);
 }
 
+/// A train of one or two pairs, its error as a fraction.
+struct ExactTrain {
+  std::int64_t off = 0, of = 1;
+  int size = 0;
+  std::int64_t driver = 0, driven = 0;
+  std::size_t pairs = 1;
+
+  bool operator<(const ExactTrain& other) const {
+    const std::int64_t own = off * other.of, its = other.off * of;
+    return own != its ? own < its : std::tie(size, pairs) < std::tie(other.size, other.pairs);
+  }
+};
+
+/// All trains for the ratio p/q by every choice of teeth, best first; of each quotient of products
+/// the smallest.
+std::vector<ExactTrain> every_train(std::int64_t p, std::int64_t q, int lo, int hi,
+                                    std::size_t fewest) {
+  std::map<std::tuple<std::size_t, std::int64_t, std::int64_t>, ExactTrain> all;
+  const auto take = [&](std::size_t pairs, std::int64_t driver, std::int64_t driven, int size) {
+    const ExactTrain own{
+        std::abs(driven * q - driver * p), driver * p, size, driver, driven, pairs};
+    const auto [at, added] = all.try_emplace({pairs, driver, driven}, own);
+    if (!added && own < at->second) at->second = own;
+  };
+  for (int a = lo; a <= hi; ++a)
+    for (int b = lo; b <= hi; ++b) {
+      if (fewest == 1) take(1, a, b, a + b);
+      for (int c = a; c <= hi; ++c)
+        for (int d = b; d <= hi; ++d) take(2, a * c, b * d, a + b + c + d);
+    }
+  std::vector<ExactTrain> trains;
+  for (const auto& [key, train] : all) trains.push_back(train);
+  std::ranges::sort(trains, std::less<ExactTrain>{});
+  return trains;
+}
+
+TEST(GearTrainTest, TrainsOfOneRatioGoBySize) {
+  // 23/17 is missed by 1/1001 of 23023/17000, whichever teeth make it; 10/9 of 1001/900 likewise.
+  for (const auto& [p, q, lo, hi, fewest] :
+       {std::tuple(23023, 17000, 17, 23, 2), std::tuple(1001, 900, 25, 31, 1),
+        std::tuple(7001, 5000, 12, 30, 1), std::tuple(999, 1000, 20, 27, 2)}) {
+    GearTrainProblem problem;
+    problem.target = TrainTarget{.ratio = double(p) / q,
+                                 .ratio_tolerance = 0.05,
+                                 .teeth = {lo, hi},
+                                 .pairs = {fewest, 2},
+                                 .designs = 12};
+    const auto found = solve(problem, {});
+    const auto brute = every_train(p, q, lo, hi, static_cast<std::size_t>(fewest));
+    ASSERT_EQ(found.designs.size(), 12U);
+    for (std::size_t i = 0; i < found.designs.size(); ++i) {
+      EXPECT_EQ(number(found.designs[i], "teeth_sum"), brute[i].size) << p << " " << i;
+      EXPECT_NEAR(number(found.designs[i], "ratio_error"),
+                  double(brute[i].off) / double(brute[i].of), 1e-15);
+    }
+  }
+}
+
+TEST(GearTrainTest, TorquesThatLockATrainAreNoSolution) {
+  // Two inputs, the torque of the output between them given: no sense of the power agrees.
+  const auto train = parse_task<GearTrainProblem>(R"(kind = "gear-train"
+mesh = [{gears = ["m1", "p3"], teeth = [15, 18]}, {gears = ["p3", "p4"], teeth = [18, 26]},
+        {gears = ["p4", "m2"], teeth = [26, 89], type = "internal", efficiency = 0.924},
+        {gears = ["m2", "p6"], teeth = [24, 14], efficiency = 0.927},
+        {gears = ["p6", "m0"], teeth = [39, 67], efficiency = 0.933}]
+planet = [{name = "p3", carrier = "m0"}, {name = "p4", carrier = "m0"}, {name = "p6", carrier = "m5"}]
+input = [{member = "m0", speed = 23}, {member = "m1", speed = 56}]
+output = {member = "m5", torque = 1}
+)");
+  ASSERT_TRUE(train) << train.error().front().message;
+  const auto result = solve(*train, {});
+  EXPECT_EQ(result.status, Status::infeasible);
+  const auto& metrics = result.designs.front().metrics;
+  const auto locks = std::ranges::find(metrics, "self_locking", &Quantity::name);
+  ASSERT_NE(locks, metrics.end());
+  EXPECT_TRUE(std::get<bool>(locks->value));
+}
+
 TEST(GearTrainTest, PlanetaryTrainsOfEveryArrangement) {
   // The ratios of the textbooks' table, k = ring/sun.
   using M = PlanetaryMember;
