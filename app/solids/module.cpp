@@ -26,13 +26,14 @@ ShapedSolids shaped_solids(const SolidAssembly& assembly, SolidFormat format,
                            const std::string*& current) {
   ShapedSolids made;
   std::vector<TopoDS_Shape> shapes;
+  const double tolerance = assembly.chord_tolerance * assembly.millimetres;
+  const auto facets = format == SolidFormat::stl ? std::optional(tolerance) : std::nullopt;
   for (const Solid& solid : assembly.solids) {
     current = &solid.name;
-    shapes.push_back(shape_of(solid, assembly.millimetres));
+    shapes.push_back(shape_of(solid, assembly.millimetres, facets));
     made.volumes.push_back(volume_of(shapes.back()) / std::pow(assembly.millimetres, 3));
     if (format == SolidFormat::step) continue;
-    made.texts.push_back(
-        stl_text(solid.name, shapes.back(), assembly.chord_tolerance * assembly.millimetres));
+    made.texts.push_back(stl_text(solid.name, shapes.back(), tolerance));
   }
   current = &assembly.title;
   if (format == SolidFormat::step) made.texts.push_back(step_text(assembly, shapes));

@@ -18,8 +18,8 @@
 namespace cognate::app {
 namespace {
 
-TopoDS_Shape prism_of(const SolidPrism& prism, double millimetres) {
-  if (prism.twist != 0) return twisted_prism(prism, millimetres);
+TopoDS_Shape prism_of(const SolidPrism& prism, double millimetres, std::optional<double> facets) {
+  if (prism.twist != 0) return twisted_prism(prism, millimetres, facets);
   const double low = millimetres * prism.low, high = millimetres * prism.high;
   BRepBuilderAPI_MakeFace face(wire_of(prism.loop, low, millimetres), true);
   if (prism.hollow) face.Add(TopoDS::Wire(wire_of(*prism.hollow, low, millimetres).Reversed()));
@@ -59,13 +59,12 @@ TopoDS_Shape only_solid(const TopoDS_Shape& shape) {
 
 }  // namespace
 
-TopoDS_Shape shape_of(const Solid& solid, double millimetres) {
+TopoDS_Shape shape_of(const Solid& solid, double millimetres, std::optional<double> facets) {
+  const auto made = [&](const SolidPrism& prism) { return prism_of(prism, millimetres, facets); };
   TopTools_ListOfShape more, holes;
-  for (std::size_t i = 1; i < solid.material.size(); ++i) {
-    more.Append(prism_of(solid.material[i], millimetres));
-  }
-  for (const SolidPrism& hole : solid.holes) holes.Append(prism_of(beyond(hole), millimetres));
-  TopoDS_Shape shape = prism_of(solid.material.front(), millimetres);
+  for (std::size_t i = 1; i < solid.material.size(); ++i) more.Append(made(solid.material[i]));
+  for (const SolidPrism& hole : solid.holes) holes.Append(made(beyond(hole)));
+  TopoDS_Shape shape = made(solid.material.front());
   shape = combined<BRepAlgoAPI_Fuse>(shape, more);
   shape = combined<BRepAlgoAPI_Cut>(shape, holes);
   ShapeUpgrade_UnifySameDomain unify(shape);

@@ -40,12 +40,14 @@ struct ScrewPole {
   double height = 0;
 };
 
-/// e^{iφ} and the height over the parameter from 0 to the number of spans, φ from 0 to the twist.
+/// e^{iφ} and the height over the parameter from 0 to the number of spans, φ from `begin` on by the
+/// twist.
 class Screw {
  public:
-  Screw(double low, double high, double twist)
+  Screw(double low, double high, double begin, double twist)
       : low_(low),
         high_(high),
+        begin_(begin),
         spans_(std::max(1, static_cast<int>(std::ceil(std::abs(twist) / kSpanTurn)))),
         turn_(twist / spans_) {
     for (int span = 0; span < spans_; ++span) add_span(span);
@@ -59,7 +61,7 @@ class Screw {
 
   /// Those of Bézier's points that are poles; in place of two at a knot what they make together.
   void add_span(int span) {
-    const Vec2d begin = unit(span * turn_), end = unit((span + 1) * turn_);
+    const Vec2d begin = unit(begin_ + span * turn_), end = unit(begin_ + (span + 1) * turn_);
     const double first = turn_ / kDegree, second = turn_ * turn_ / (kDegree * (kDegree - 1));
     const Vec2d third = end * Vec2d{1 - second, -2 * first}, fourth = end * Vec2d{1, -first};
     if (span == 0) {
@@ -81,7 +83,7 @@ class Screw {
     poles_.push_back({factor, std::lerp(low_, high_, share)});
   }
 
-  double low_, high_;
+  double low_, high_, begin_;
   int spans_;
   double turn_;
   std::vector<ScrewPole> poles_;
@@ -117,6 +119,17 @@ Handle(Geom_BSplineSurface) swept(const Geom_BSplineCurve& curve, const Screw& s
                                  times, curve.Degree(), kDegree);
 }
 
+/// So many that a chord of the screw at the outline leaves it by an eighth of the tolerance: the
+/// mesh then needs hardly a node within a slice, where a whole face takes ten times as many facets.
+int slices_of(const SolidPrism& prism, double millimetres, std::optional<double> facets) {
+  constexpr double kMost = 128;
+  if (!facets) return 1;
+  double radius = 0;
+  for (const PlanCorner& corner : prism.loop.corners) radius = std::max(radius, norm(corner.at));
+  const double turn = std::sqrt(*facets / (millimetres * radius));
+  return static_cast<int>(std::clamp(std::ceil(std::abs(prism.twist) / turn), 1.0, kMost));
+}
+
 gp_Trsf screwed(double height, double twist) {
   gp_Trsf turn, move;
   turn.SetRotation(gp::OZ(), twist);
@@ -126,17 +139,22 @@ gp_Trsf screwed(double height, double twist) {
 
 }  // namespace
 
-TopoDS_Shape twisted_prism(const SolidPrism& prism, double millimetres) {
+TopoDS_Shape twisted_prism(const SolidPrism& prism, double millimetres,
+                           std::optional<double> facets) {
   const double low = millimetres * prism.low, high = millimetres * prism.high;
   const TopoDS_Wire wire = wire_of(prism.loop, low, millimetres);
-  const Screw screw(low, high, prism.twist);
+  const int slices = slices_of(prism, millimetres, facets);
+  const double height = (high - low) / slices, turn = prism.twist / slices;
   BRepBuilderAPI_Sewing sewing(kOnePoint);
   const TopoDS_Face lower = BRepBuilderAPI_MakeFace(wire, true).Face();
   sewing.Add(lower);
   sewing.Add(BRepBuilderAPI_Transform(lower, screwed(high - low, prism.twist), true).Shape());
   for (TopExp_Explorer edges(wire, TopAbs_EDGE); edges.More(); edges.Next()) {
-    const auto surface = swept(*spline_of(TopoDS::Edge(edges.Current())), screw);
-    sewing.Add(BRepBuilderAPI_MakeFace(surface, kOnePoint).Face());
+    const auto curve = spline_of(TopoDS::Edge(edges.Current()));
+    for (int k = 0; k < slices; ++k) {
+      const Screw screw(low + k * height, low + (k + 1) * height, k * turn, turn);
+      sewing.Add(BRepBuilderAPI_MakeFace(swept(*curve, screw), kOnePoint).Face());
+    }
   }
   sewing.Perform();
   if (sewing.NbFreeEdges() > 0 || sewing.SewedShape().ShapeType() != TopAbs_SHELL) {
