@@ -173,8 +173,8 @@ class LinkageSolids {
     for (const BillRow& row : parts_.bill.rows) {
       if (row.item != "spacer") continue;
       const auto pin = std::ranges::find(parts_.made.pins, row.name, &PartPin::name);
-      for (const int layer : row.layers) {
-        add_ring("spacer " + row.name, *pin, layer, {*row.outside, *row.bore, thickness()});
+      for (std::size_t i = 0; i < row.layers.size(); ++i) {
+        add_ring(spacer_name(row, i), *pin, row.layers[i], {*row.outside, *row.bore, thickness()});
       }
     }
   }

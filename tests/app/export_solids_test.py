@@ -206,12 +206,12 @@ class Linkages(Solids):
         spacers = [solid for solid in solids if solid["name"].startswith("spacer ")]
         rows = {row["name"]: row for row in parts["bill"] if row["item"] == "spacer"}
         for solid in spacers:
-            row = rows[solid["name"].removeprefix("spacer ")]
+            row = rows[re.fullmatch(r"spacer (.*?)( \d+)?", solid["name"])[1]]
             self.assertAlmostEqual(solid["volume"], math.pi / 4 * ((1e3 * row["outside"]) ** 2 - 8 ** 2) * 7, 6)
             self.assertIn(round(solid["low"][2] / 7) + 1, row["layers"])
             pin = plates["pin " + row["name"]]["cylinders"][0]["at"]
             self.assertLess(math.dist(pin, solid["cylinders"][0]["at"]), 1e-6)
-        self.assertEqual(len(spacers), sum(row["quantity"] for row in rows.values()))
+        self.assertEqual(len({solid["name"] for solid in spacers}), sum(row["quantity"] for row in rows.values()))
         self.assertGreaterEqual(len(bearings), 7)
         self.assertGreaterEqual(len(spacers), 1)
 

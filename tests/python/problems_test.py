@@ -130,7 +130,7 @@ class SameNumbersTest(InFolder):
                 "--keyway", "--hub", "14,20", "--out", "there")
         made = result.export("dxf", out=None, length_unit="mm", bore=[8, 10], keyway=True, hub=(14, 20))
         self.assertEqual(list(made.texts.values()), [f.read_bytes() for f in pathlib.Path("there").iterdir()])
-        for wrong, message in [({"bores": 8}, "bores: is no option of an export; allowed are bearing, bill, bore,"),
+        for wrong, message in [({"bores": 8}, "bores: is no option of an export; allowed are bearing, bill, block,"),
                                ({"keyway": "yes"}, "keyway: expected True or False"),
                                ({"keyway": True}, "expected bore"), ({"bore": [1, 2, 3]}, "bore")]:
             with self.assertRaises(cognate.ProblemError) as caught:

@@ -99,13 +99,16 @@ class PartsMaker {
     LinkPart& part = made_.parts[bearer];
     for (const Rail& rail : link(part.link).shape.rails) {
       const LinkShape& traveller = link(rail.traveller);
-      part.slots.push_back(
-          {traveller.name, rail.from, rail.to, order_.hole + order_.clearance});
+      part.slots.push_back({traveller.name, rail.from, rail.to, order_.hole + order_.clearance});
       if (order_.block && is_mere_pin(traveller)) add_block(bearer, rail);
     }
     std::erase_if(part.holes, [&](const PartHole& hole) {
       return !hole.pin && std::ranges::any_of(part.slots, [&](const PartSlot& slot) {
-        return runs_into(slot, hole);
+        if (!runs_into(slot, hole)) return false;
+        made_.notes.push_back(
+            fmt::format("the point {} of {} has no hole, as the slot for {} is there", hole.name,
+                        part.name, slot.name));
+        return true;
       });
     });
   }

@@ -315,15 +315,20 @@ bool rings_fit(const PartMotion& moving, const LinkParts& made, const PartLayers
   return SpacerFinder(moving, made, layers, order).fits(diameter);
 }
 
+std::string spacer_name(const BillRow& row, std::size_t number) {
+  if (row.layers.size() == 1) return "spacer " + row.name;
+  return fmt::format("spacer {} {}", row.name, number + 1);
+}
+
 void add_spacer_parts(const PartBill& bill, const PartOrder& order, LinkParts& made,
                       PartLayers& layers) {
   for (const BillRow& row : bill.rows) {
     if (row.item != "spacer") continue;
-    for (const int layer : row.layers) {
-      LinkPart ring{-1, "spacer " + row.name, {}, {}, {{}}, 0.5 * *row.outside};
+    for (std::size_t i = 0; i < row.layers.size(); ++i) {
+      LinkPart ring{-1, spacer_name(row, i), {}, {}, {{}}, 0.5 * *row.outside};
       ring.holes.push_back({row.name, {}, true, order.hole});
       made.parts.push_back(std::move(ring));
-      layers.layers.push_back(layer);
+      layers.layers.push_back(row.layers[i]);
     }
   }
 }

@@ -69,6 +69,9 @@ PartBill part_bill(const PartMotion& moving, const LinkParts& made, const PartLa
 bool rings_fit(const PartMotion& moving, const LinkParts& made, const PartLayers& layers,
                const PartOrder& order, double diameter);
 
+/// What one of the spacers of a row is called: the number is added where the row has several.
+std::string spacer_name(const BillRow& row, std::size_t number);
+
 /// The spacers of the bill as parts after the others, each in its layer.
 void add_spacer_parts(const PartBill& bill, const PartOrder& order, LinkParts& made,
                       PartLayers& layers);

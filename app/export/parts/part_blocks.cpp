@@ -65,10 +65,11 @@ void note_blocks(LinkParts& made, const PartOrder& order) {
   }
   const double wall = 0.5 * (order.block->y - order.hole);
   if (!is_thin(wall, order)) return;
-  made.notes.push_back(fmt::format(
-      "the walls of blocks beside their holes are {:.3g} thick, less than a tenth of the hole: they "
-      "may break",
-      wall));
+  made.notes.push_back(
+      fmt::format("the walls of blocks beside their holes are {:.3g} thick, less than a tenth of "
+                  "the hole: they "
+                  "may break",
+                  wall));
 }
 
 std::optional<std::string> blocks_meet(const PartMotion& moving, const LinkParts& made,
@@ -84,8 +85,8 @@ std::optional<std::string> blocks_meet(const PartMotion& moving, const LinkParts
   if (!found.complete) {
     return "--time-limit: came before it was known whether blocks meet; allowed is more time";
   }
-  const auto met =
-      std::ranges::find_if(found.pairs, [](const auto& pair) { return pair.passage != Passage::free; });
+  const auto met = std::ranges::find_if(
+      found.pairs, [](const auto& pair) { return pair.passage != Passage::free; });
   if (met == found.pairs.end()) return std::nullopt;
   return fmt::format("--block: {} would meet in the slots of one part; allowed are shorter blocks",
                      names[static_cast<std::size_t>(met - found.pairs.begin())]);
