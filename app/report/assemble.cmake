@@ -3,7 +3,7 @@
 # OUTPUT: the source; FUNCTION: its function; CONTENT: what stands in the page's frame; MAIN: the
 # module of the page that imports all others; STYLES in order; WORDS: the texts, a file for each
 # language; LICENCE, LIBRARY and LIBRARY_STYLES: files of the plotting library, or empty; KERNEL: the
-# analysis kernel in base64, or empty.
+# analysis kernel in base64, or empty; MECHANISM_KERNEL: likewise that for mechanisms of any kind.
 cmake_minimum_required(VERSION 3.25)
 include("${CMAKE_CURRENT_LIST_DIR}/modules.cmake")
 
@@ -53,6 +53,11 @@ if(KERNEL)
   file(READ "${KERNEL}" kernel)
 endif()
 string(REPLACE "@KERNEL@" "${kernel}" page "${page}")
+set(kernel "")
+if(MECHANISM_KERNEL)
+  file(READ "${MECHANISM_KERNEL}" kernel)
+endif()
+string(REPLACE "@MECHANISM_KERNEL@" "${kernel}" page "${page}")
 string(REPLACE "@SCRIPT@" "${script}" page "${page}")
 
 # Compilers need take no literal longer than 65536 bytes: pieces, cut after an ASCII character so

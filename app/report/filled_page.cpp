@@ -39,9 +39,9 @@ std::string filled_page(std::string page, const ordered_json& data, std::string_
   return page.replace(page.find(kMarker), kMarker.size(), embedded(data));
 }
 
-std::string without_kernel(std::string page) {
-  constexpr std::string_view kBefore = R"(id="kernel">)";
-  const auto begin = page.find(kBefore) + kBefore.size();
+std::string without_kernel(std::string page, std::string_view name) {
+  const std::string before = fmt::format(R"(id="{}">)", name);
+  const auto begin = page.find(before) + before.size();
   return page.erase(begin, page.find('<', begin) - begin);
 }
 

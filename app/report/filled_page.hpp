@@ -12,9 +12,9 @@ namespace cognate::app {
 std::string filled_page(std::string page, const nlohmann::ordered_json& data,
                         std::string_view length_unit);
 
-/// `page` without the kernel that evaluates what is edited: it is large, and cannot edit
-/// everything.
-std::string without_kernel(std::string page);
+/// `page` without one of its kernels, the script `name`: they are large, and not every page needs
+/// them.
+std::string without_kernel(std::string page, std::string_view name);
 
 /// Takes `member` out of `table` where its JSON is so long that it would make a page too large.
 void erase_large(nlohmann::ordered_json& table, const char* member);

@@ -97,6 +97,7 @@ class FigureMaker {
     result.angle = is_angular(quantity.response.type);
     result.is_point = quantity.is_distance();
     result.judged = quantity.judged;
+    result.along = quantity.normal;
     for (std::size_t s = 0; s < question_.stations.size(); ++s) {
       result.positions.push_back(position(q, s));
     }

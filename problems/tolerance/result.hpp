@@ -44,7 +44,8 @@ struct ToleranceFigures {
   bool judged = false;    ///< what yield, quantiles and allocation are about
   bool exact = true;      ///< whether `low` and `high` are known
   std::vector<PositionFigures> positions;
-  std::size_t worst = 0;  ///< of the positions: where the linear worst case is greatest
+  std::vector<Vec2d> along;  ///< unit vectors along which a point's deviation counts; else empty
+  std::size_t worst = 0;     ///< of the positions: where the linear worst case is greatest
   std::size_t worst_exact = 0;
   bool exact_everywhere = false;  ///< else `low` and `high` are known at `worst_exact` alone
   std::vector<Contribution> contributions;  ///< at `worst`, greatest first

@@ -8,7 +8,7 @@ import { after, before, test } from "node:test";
 import { LOOKS, assertFits, assertInked, hasCurves, launch, open, visit, withoutPlots } from "./browser.mjs";
 
 const still = { motion: "reduce" };
-const NAMES = ["library-toleranced-rocker", "toleranced-ellipse", "toleranced-roller"];
+const NAMES = ["library-toleranced-rocker", "toleranced-ellipse", "toleranced-roller", "toleranced-slider-crank", "toleranced-square"];
 let browser;
 before(async () => { browser = await launch(); });
 after(() => browser?.close());
@@ -145,6 +145,67 @@ test("a path moves within its tolerances: its error along the normal", { skip: w
     assert.ok(set >= low && set <= high);
   }
   assert.ok(await page.locator(".whisker").count() >= 10);
+}));
+
+// The slider-crank of a chain at a crank angle in degrees: its slider's way along the guide, and its point on the rod.
+function sliderCrank({ crank, dyad: [{ lengths: [rod], slide, assembly }], point: [point] = [{ at: [0, 0] }], pivot: [{ at: a }] }, deg) {
+  const angle = (deg * Math.PI) / 180, along = (slide.direction_deg * Math.PI) / 180;
+  const [c, s] = [Math.cos(along), Math.sin(along)];
+  const through = slide.through === "A" ? a : slide.through;
+  const b = [a[0] + crank.length * Math.cos(angle), a[1] + crank.length * Math.sin(angle)];
+  // From B to the guide: `high` across it, `far` along it.
+  const [x, y] = [b[0] - through[0], b[1] - through[1]];
+  const high = slide.offset - (c * y - s * x);
+  const far = Math.sqrt(rod ** 2 - high ** 2) * (assembly === "open" ? 1 : -1);
+  const [u, v] = [(far * c - high * s) / rod, (far * s + high * c) / rod];
+  return { way: c * x + s * y + far, p: [b[0] + u * point.at[0] - v * point.at[1], b[1] + v * point.at[0] + u * point.at[1]] };
+}
+
+// `m` with its dimensions changed, by the names that results give them.
+function changedChain(m, by) {
+  const [dyad] = m.dyad;
+  return { ...m, crank: { ...m.crank, length: m.crank.length + (by.crank ?? 0) }, dyad: [{ ...dyad, lengths: [dyad.lengths[0] + (by.BC ?? 0)], slide: { ...dyad.slide, offset: dyad.slide.offset + (by["slider-C"] ?? 0) } }],
+    ...(m.point ? { point: [{ ...m.point[0], at: [m.point[0].at[0] + (by["P.u"] ?? 0), m.point[0].at[1] + (by["P.v"] ?? 0)] }] } : {}) };
+}
+
+test("a chain that was found moves within its tolerances: its point along the normal of its path", { skip: withoutPlots }, () => visit(browser, "toleranced-slider-crank", still, async (page) => {
+  const { mechanism } = (await resultOf(page)).designs[0];
+  const by = { crank: 0.004, BC: -0.003, "slider-C": 0.005, "P.u": -0.004, "P.v": 0.002 };
+  assert.deepEqual(new Set(Object.keys(await sliders(page))), new Set(Object.keys(by)));
+  for (const [name, value] of Object.entries(by)) await setSlider(page, name, value);
+  const rows = await deviations(page);
+  assert.ok(rows.length > 30);
+  for (const { drive, low, high, set } of rows) {
+    const [p, before, ahead, moved] = [...[0, -1e-3, 1e-3].map((turn) => sliderCrank(mechanism, drive + turn).p), sliderCrank(changedChain(mechanism, by), drive).p];
+    const [u, v] = [ahead[0] - before[0], ahead[1] - before[1]];
+    near(set, 1000 * (u * (moved[1] - p[1]) - v * (moved[0] - p[0])) / Math.hypot(u, v), 0.01, `at ${drive}`);
+    assert.ok(set >= low && set <= high);
+  }
+}));
+
+test("a slider that was found moves within its tolerances along its guide", { skip: withoutPlots }, () => visit(browser, "toleranced-square", still, async (page) => {
+  const { mechanism } = (await resultOf(page)).designs[0];
+  const by = { crank: 0.2, BC: -0.3, "slider-C": 0.1 };
+  for (const [name, value] of Object.entries(by)) await setSlider(page, name, value);
+  for (const { drive, low, high, set } of await deviations(page)) {
+    near(set, sliderCrank(changedChain(mechanism, by), drive).way - sliderCrank(mechanism, drive).way, 1e-3, `at ${drive}`);
+    assert.ok(set >= low && set <= high);
+  }
+}));
+
+test("a cam's follower is off as its sensitivities say, and at the worst corner by the worst case", { skip: withoutPlots }, () => visit(browser, "toleranced-roller", still, async (page) => {
+  const quantity = judgedOf(await resultOf(page));
+  const at = async () => (await deviations(page)).reduce((best, row) => (Math.abs(row.drive - quantity.linear_at) < Math.abs(best.drive - quantity.linear_at) ? row : best)).set;
+  for (const { dimension, sensitivity } of quantity.contributions) {
+    const change = dimension === "roller_radius" ? -0.02 : 0.02;
+    await setSlider(page, dimension, change);
+    near(await at(), sensitivity * change, 2e-4, dimension);
+    await page.locator("[data-set=nominal]").click();
+    await page.locator("#tolerances:not(.set)").waitFor();
+  }
+  await page.locator("[data-set=worst]").click();
+  await page.locator("#tolerances.set").waitFor();
+  near(Math.abs(await at()), Math.max(-quantity.exact[0], quantity.exact[1]), 5e-4, "worst corner");
 }));
 
 test("an analysis with tolerances is edited, and its tolerances are of the original", () => visit(browser, "library-toleranced-rocker", still, async (page) => {

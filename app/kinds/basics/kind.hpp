@@ -148,8 +148,8 @@ tl::expected<nlohmann::ordered_json, std::string> result_document(const Problem&
 template <class Problem>
 std::string report_html(const nlohmann::ordered_json& document, const Problem& problem,
                         const ResultOf<Problem>& result) {
-  return report_page(Kind<Problem>::page(problem), Kind<Problem>::report_data(problem, result),
-                     document);
+  return report_page(Kind<Problem>::page(problem, result),
+                     Kind<Problem>::report_data(problem, result), document);
 }
 
 }  // namespace cognate::app

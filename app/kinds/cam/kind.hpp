@@ -41,7 +41,9 @@ struct Kind<problems::CamProblem> : KindBase<problems::CamProblem, problems::Cam
                            const Screen& screen);
   /// The best design over a turn, in `steps` equal steps of the cam angle.
   static std::string csv(const problems::CamProblem& problem, const Result& result, int steps);
-  static std::string page(const problems::CamProblem& /*problem*/) { return cam_page(); }
+  static std::string page(const problems::CamProblem& /*problem*/, const Result& /*result*/) {
+    return cam_page();
+  }
   static Json report_data(const problems::CamProblem& problem, const Result& result) {
     return cam_report_data(problem, result);
   }

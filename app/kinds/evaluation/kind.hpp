@@ -41,7 +41,8 @@ struct Kind<problems::AnalysisProblem>
   static std::string table(const problems::AnalysisProblem& problem, const Result& result,
                            const Screen& screen);
   static std::string csv(const problems::AnalysisProblem& problem, const Result& result);
-  static std::string page(const problems::AnalysisProblem& problem);
+  static std::string page(const problems::AnalysisProblem& problem,
+                          const problems::AnalysisResult& result);
   static Json report_data(const problems::AnalysisProblem& problem, const Result& result);
   static problems::MetricNames metric_names(const problems::AnalysisProblem& base);
   static std::vector<ListSection> sections();

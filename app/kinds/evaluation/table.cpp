@@ -133,13 +133,14 @@ std::string Kind<AnalysisProblem>::csv(const AnalysisProblem& problem,
   return csv_text(result.columns, {}, length_word(problem.length_unit));
 }
 
-std::string Kind<AnalysisProblem>::page(const AnalysisProblem& problem) {
+std::string Kind<AnalysisProblem>::page(const AnalysisProblem& problem,
+                                        const AnalysisResult& /*result*/) {
   // What is edited is evaluated anew at every change.
   constexpr std::size_t kMostBodies = 40;
   constexpr int kMostSteps = 5000;
   const bool editable =
       problem.mechanism.bodies.size() <= kMostBodies && problem.drive.steps <= kMostSteps;
-  return editable ? analysis_page() : without_kernel(analysis_page());
+  return editable ? analysis_page() : without_kernel(analysis_page(), "kernel");
 }
 
 }  // namespace cognate::app

@@ -35,7 +35,9 @@ struct Kind<problems::GearProblem> : KindBase<problems::GearProblem, problems::G
   static std::string table(const problems::GearProblem& problem, const Result& result,
                            const Screen& screen);
   static std::string csv(const problems::GearProblem& problem, const Result& result);
-  static std::string page(const problems::GearProblem& /*problem*/) { return gear_page(); }
+  static std::string page(const problems::GearProblem& /*problem*/, const Result& /*result*/) {
+    return gear_page();
+  }
   static Json report_data(const problems::GearProblem& problem, const Result& result) {
     return gear_report_data(problem, result);
   }
@@ -70,7 +72,9 @@ struct Kind<problems::GearPairProblem>
   /// A row for each pair; of one that was given, or is the only one, every quantity.
   static std::string table(const problems::GearPairProblem& problem, const Result& result,
                            const Screen& screen);
-  static std::string page(const problems::GearPairProblem& /*problem*/) { return gear_page(); }
+  static std::string page(const problems::GearPairProblem& /*problem*/, const Result& /*result*/) {
+    return gear_page();
+  }
   static Json report_data(const problems::GearPairProblem& problem, const Result& result) {
     return gear_pair_report_data(problem, result);
   }

@@ -8,6 +8,7 @@
 #include "app/documents/mechanism_catalogue.hpp"
 #include "app/documents/tolerance_catalogue.hpp"
 #include "app/export/parts/stacked_parts.hpp"
+#include "app/report/filled_page.hpp"
 #include "app/study/metrics.hpp"
 #include "problems/linkage/design_layers.hpp"
 #include "problems/mechanism/dimensions.hpp"
@@ -54,6 +55,12 @@ MetricNames chain_metric_names(std::span<const problems::Topology> topologies) {
     }
   }
   return names;
+}
+
+std::string linkage_page(bool toleranced, const problems::Result& result) {
+  const auto is_four_bar = [](const auto& design) { return bool(design.mechanism.four_bar()); };
+  const bool moves = toleranced && !std::ranges::all_of(result.designs, is_four_bar);
+  return moves ? design_page() : without_kernel(design_page(), "mechanism-kernel");
 }
 
 void add_size(nlohmann::ordered_json& metrics, const problems::NamedMechanism& mechanism) {

@@ -29,6 +29,10 @@ void add_size(nlohmann::ordered_json& metrics, const problems::NamedMechanism& m
 void add_bills(const problems::Result& result, const problems::LayerSizes& sizes,
                nlohmann::ordered_json& data);
 
+/// The page of designs. With the kernel of analyses, where one that is no four-bar has tolerances
+/// within which the page moves it.
+std::string linkage_page(bool toleranced, const problems::Result& result);
+
 /// Why `cognate analyze` takes no problem of these kinds.
 inline constexpr const char* kDesignsLinkage =
     "kind is that of a design problem, which 'cognate solve' solves; expected kind = \"analysis\" "
@@ -82,7 +86,9 @@ struct LinkageKind : KindBase<Problem, problems::Result> {
                         screen);
   }
 
-  static std::string page(const Problem& /*problem*/) { return design_page(); }
+  static std::string page(const Problem& problem, const Result& result) {
+    return linkage_page(problem.tolerances.has_value(), result);
+  }
 
   static Json report_data(const Problem& problem, const Result& result) {
     Json data = app::report_data(result, Kind<Problem>::target_json(problem),

@@ -40,7 +40,9 @@ struct Kind<problems::MachineProblem>
 
   /// The table of all motions, whose columns are the same, with the task before the other columns.
   static std::string csv(const problems::MachineProblem& problem, const Result& result);
-  static std::string page(const problems::MachineProblem& /*problem*/) { return machine_page(); }
+  static std::string page(const problems::MachineProblem& /*problem*/, const Result& /*result*/) {
+    return machine_page();
+  }
   static Json report_data(const problems::MachineProblem& problem, const Result& result) {
     return machine_report_data(problem, result);
   }

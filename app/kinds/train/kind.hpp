@@ -30,7 +30,9 @@ struct Kind<problems::GearTrainProblem>
   /// A row for each design or state; of one alone every figure, every member and mesh.
   static std::string table(const problems::GearTrainProblem& problem, const Result& result,
                            const Screen& screen);
-  static std::string page(const problems::GearTrainProblem& /*problem*/) { return train_page(); }
+  static std::string page(const problems::GearTrainProblem& /*problem*/, const Result& /*result*/) {
+    return train_page();
+  }
   static Json report_data(const problems::GearTrainProblem& /*problem*/, const Result& result) {
     return train_report_data(result);
   }

@@ -1,6 +1,7 @@
 # Cams of which all is given.
 set(COGNATE_CAM_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/cam_kernel.base64")
 cognate_page_kernel(cam_kernel ${problem_reader}
+  analysis/cam/changed_follower.cpp
   analysis/cam/extremes.cpp
   analysis/cam/motion_law.cpp
   analysis/cam/motion_programme.cpp

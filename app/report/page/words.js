@@ -34,6 +34,9 @@ export function say(key, own = {}) {
   return part.replace(/\{(\w+)\}/g, (_, name) => (name === "n" && typeof values.n === "number" ? values.n.toLocaleString(language) : String(values[name])));
 }
 
+// A quantity's name with its unit, where it has one.
+export const withUnit = (name, unit) => (unit ? say("unit.axis", { name, unit }) : name);
+
 // Whether there are words for a key.
 export const knows = (key) => Object.hasOwn(WORDS[language].words, key);
 

@@ -3,7 +3,7 @@
 import { TURN_STEPS } from "../curves.js";
 import { engineeringExponent, number, powerOfTen, sentence } from "../format.js";
 import { extremes, quantile } from "../sampling.js";
-import { say, term } from "../words.js";
+import { say, term, withUnit } from "../words.js";
 import { cutOf } from "./loci.js";
 import { INSTANT_GEOMETRY, unitText } from "./table.js";
 
@@ -72,7 +72,7 @@ function sheetOf(key, columns, colours) {
   const shownUnit = exponent === 0 ? unit : `${powerOfTen(exponent)} ${unit}`;
   const title = key === "transmission deg" ? transmissionTitle(lines)
     : SHEET_TITLES[key] ?? instantTitle(columns[0]) ?? sentence(term(columns[0].quantity));
-  return { title: shownUnit ? say("unit.axis", { name: title, unit: shownUnit }) : title, lines, ...fittingRange(lines, columns, unit) };
+  return { title: withUnit(title, shownUnit), lines, ...fittingRange(lines, columns, unit) };
 }
 
 function transmissionTitle(lines) {

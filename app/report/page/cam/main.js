@@ -23,6 +23,7 @@ import { Zoom } from "../zoom.js";
 import { showRaster } from "../design/raster.js";
 import { camCsv, camMetrics, CamValues, radiusText, showCamDimensions, showSegments } from "./facts.js";
 import { ToleranceCard } from "../tolerance/card.js";
+import { CamMover } from "../tolerance/of_cam.js";
 import { CamDesign } from "./model.js";
 import { CamScene } from "./scene.js";
 import { camSheets, JUMP_COLOURS, JUMPS, missesPressure } from "./sheets.js";
@@ -96,7 +97,9 @@ function choose(index) {
   for (const [i, button] of [...byId("designs").children].entries()) button.setAttribute("aria-pressed", String(i === index));
   showDesign();
   showWarnings(result.designs?.[index]);
-  tolerances.show(result.designs?.[index]?.tolerance, { xOf: (deg) => deg, range: [0, 360], xLabel: say("sheet.cam_angle"), size: 1, mover: null, limit: result.problem?.tolerance?.yield?.max_error });
+  const limit = result.problem?.tolerance?.yield;
+  tolerances.show(result.designs?.[index]?.tolerance, { xOf: (deg) => deg, range: [0, 360], xLabel: say("sheet.cam_angle"), size: 1,
+    mover: editor ? new CamMover(givenCam(result.problem, result.designs[index])) : null, limit: limit?.max_error_deg ?? limit?.max_error });
 }
 
 // Everything that is said and drawn of the design shown.

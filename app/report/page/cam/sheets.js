@@ -3,7 +3,7 @@
 import { padded, TURN_STEPS } from "../curves.js";
 import { engineeringExponent, number, powerOfTen, sentence } from "../format.js";
 import { extremes, interpolate, locate, quantile } from "../sampling.js";
-import { say } from "../words.js";
+import { say, withUnit } from "../words.js";
 import { greatestOf, leastOf } from "./model.js";
 
 export const STROKE_COLOURS = { rise: "--rise", return: "--fall", dwell: "--dwell" };
@@ -137,6 +137,6 @@ function fitted(sheet) {
   const near = shades.filter((s) => s.axis === "y").flatMap((s) => [s.from, s.to]).filter((v) => Math.abs(v) < 3 * Math.max(Math.abs(low), Math.abs(high)) && Math.abs(v) < 89);
   if (cut) [low, high] = [Math.max(low, (-2.5 * usual) / per), Math.min(high, (2.5 * usual) / per)];
   const unit = exponent ? `${powerOfTen(exponent)} ${sheet.unit}`.trim() : sheet.unit;
-  return { ...sheet, shades, title: unit ? say("unit.axis", { name: sheet.title, unit }) : sheet.title, summary: range, note: cut ? say("curves.peaks_cut", { range: sentence(range) }) : sentence(range),
+  return { ...sheet, shades, title: withUnit(sheet.title, unit), summary: range, note: cut ? say("curves.peaks_cut", { range: sentence(range) }) : sentence(range),
     yRange: low <= high ? padded(Math.min(low, ...near), Math.max(high, ...near)) : undefined };
 }

@@ -4,7 +4,7 @@ import { byId, svg } from "../dom.js";
 import { number, sentence } from "../format.js";
 import { keyName } from "../problem.js";
 import { pathThrough, round } from "../shapes.js";
-import { LENGTH_UNIT, say } from "../words.js";
+import { LENGTH_UNIT, say, withUnit } from "../words.js";
 import { flatMetrics } from "./facts.js";
 
 const FRONT = { height: 260, left: 64, right: 18, top: 14, bottom: 44 };
@@ -40,7 +40,7 @@ export class Front {
     byId("front").hidden = !this.shown;
     if (!this.shown) return;
     this.points = values.map((pair) => pair.map(({ value }) => value));
-    this.labels = objectives.map((name, k) => { const { unit } = values[0][k]; const words = sentence(OBJECTIVE_WORDS[name] ? say(OBJECTIVE_WORDS[name]) : keyName(name, "")); return unit ? say("unit.axis", { name: words, unit }) : words; });
+    this.labels = objectives.map((name, k) => { const { unit } = values[0][k]; const words = sentence(OBJECTIVE_WORDS[name] ? say(OBJECTIVE_WORDS[name]) : keyName(name, "")); return withUnit(words, unit); });
     this.chosen = 0;
     new ResizeObserver(() => this.draw()).observe(this.holder);
   }

@@ -3,7 +3,7 @@
 import { TURN_STEPS } from "../curves.js";
 import { engineeringExponent, number, powerOfTen } from "../format.js";
 import { extremes, lookUp, quantile } from "../sampling.js";
-import { say } from "../words.js";
+import { say, withUnit } from "../words.js";
 
 // Each sheet's lines as [column, words, colour, dash].
 const SPEED = ["speed_rad_s", "machine.speed", "--curve"];
@@ -49,7 +49,7 @@ function filledSheet(title, unit, lines) {
   const exponent = engineeringExponent(quantile(all, 1));
   const [least, greatest] = extremes(all);
   const shownUnit = exponent === 0 ? unit : `${powerOfTen(exponent)} ${unit}`.trim();
-  return { title: shownUnit ? say("unit.axis", { name: title, unit: shownUnit }) : title,
+  return { title: withUnit(title, shownUnit),
     summary: least === null ? say("curves.no_values") : say("curves.range_unit", { least: number(least, 4), greatest: number(greatest, 4), unit }),
     lines: lines.map((line) => ({ ...line, y: exponent === 0 ? line.y : line.y.map((v) => (v === null ? null : v / 10 ** exponent)), show: (v) => number(v, 5) })) };
 }

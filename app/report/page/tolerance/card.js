@@ -6,7 +6,7 @@ import { Curves, padded, TURN_STEPS } from "../curves.js";
 import { byId, element, fact } from "../dom.js";
 import { degreesShort, engineeringExponent, number, powerOfTen, sentence } from "../format.js";
 import { RADIANS } from "../sampling.js";
-import { keyword, LENGTH_UNIT, say, sentenceOf, term } from "../words.js";
+import { keyword, LENGTH_UNIT, say, sentenceOf, term, withUnit } from "../words.js";
 import { contributionBars, Histogram } from "./histogram.js";
 import { roundedTimes } from "./layer.js";
 
@@ -117,6 +117,7 @@ export class ToleranceCard {
   #order() {
     const places = (this.tolerance.crank_deg ?? this.tolerance.slide).map((drive) => this.model.xOf(drive));
     const order = places.map((_, i) => i).sort((i, j) => places[i] - places[j]);
+    this.order = order;
     return { order, x: order.map((i) => places[i]) };
   }
 
@@ -139,7 +140,7 @@ export class ToleranceCard {
       ...(inner.length ? [line(inner[0], { colour: "--tolerance-99" }), line(inner[1], { colour: "--tolerance-99", label: say("tolerance.band_99") })] : []), ...(this.set ? [this.set] : [])];
     const all = [0, ...times(known)];
     const pairs = [[0, 1, 1.5], ...(inner.length ? [[2, 3, 5]] : [])];
-    this.sheet = { title: say("unit.axis", { name: say("tolerance.deviation", { name: dimensionText(quantity.name) }), unit }), x, xRange: this.model.range, xLabel: this.model.xLabel, xSteps: this.tolerance.slide ? undefined : TURN_STEPS,
+    this.sheet = { title: withUnit(say("tolerance.deviation", { name: dimensionText(quantity.name) }), unit), x, xRange: this.model.range, xLabel: this.model.xLabel, xSteps: this.tolerance.slide ? undefined : TURN_STEPS,
       xAt: (drive) => this.model.xOf(drive), driveAt: (at) => at, hover: !few, summary: say("range.at_most_unit", { value: number(Math.max(...all.map(Math.abs)), 4), unit }),
       lines, bands: few ? [] : pairs.map(([low, high]) => ({ low, high, colour: `${lines[low].colour}-soft` })), whiskers: few ? pairs : [], yRange: padded(Math.min(...all), Math.max(...all)) };
     this.drives = order.map((i) => (this.tolerance.crank_deg ?? this.tolerance.slide)[i]);
@@ -151,7 +152,7 @@ export class ToleranceCard {
   #refill() {
     if (this.set) {
       const quantity = this.tolerance.quantities[this.quantity];
-      this.set.y = this.drives.map((drive) => { const value = this.state && this.model.mover.deviation(this.state, quantity, drive); return value === null || value === undefined ? null : this.factor * value; });
+      this.set.y = this.drives.map((drive, k) => { const value = this.state && this.model.mover.deviation(this.state, quantity, drive, this.order[k]); return value === null || value === undefined ? null : this.factor * value; });
       this.curves.refill();
     }
     if (this.drive !== undefined) this.curves.move(this.drive);
@@ -170,7 +171,12 @@ export class ToleranceCard {
     this.inputs = new Map(this.dimensions.map((one) => [one.name, this.#slider(one)]));
     this.sliders.hidden = !this.adjustable;
     this.sliders.replaceChildren(element("div", { class: "card-head" }, element("h3", {}, say("tolerance.move")), element("div", { class: "segments" }, button("nominal", () => this.#setAll(new Map())), this.worst)),
-      element("p", { class: "muted" }, say("tolerance.move_hint", { times: `×${this.times.toLocaleString()}` })), element("div", { class: "slider-grid" }, ...[...this.inputs.values()].map(({ label }) => label)));
+      element("p", { class: "muted" }, this.#moveHint()), element("div", { class: "slider-grid" }, ...[...this.inputs.values()].map(({ label }) => label)));
+  }
+
+  #moveHint() {
+    if (!this.model.mover?.outlines) return say("tolerance.move_hint_plot");
+    return say("tolerance.move_hint", { times: `×${this.times.toLocaleString()}` });
   }
 
   #slider({ name, nominal, plus, minus: less }) {

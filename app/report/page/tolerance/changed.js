@@ -18,13 +18,22 @@ function withPlace(table, list, [name, axis], by) {
   return i < 0 ? null : { ...table, [list]: replaced(table[list], i, { ...table[list][i], at: moved(table[list][i].at, axis, by) }) };
 }
 
+// Body k of a dyad has a length, or the offset of the block or of its guide; where both slide, each has a guide.
+function dyadWith(dyad, k, by) {
+  const { lengths = [], offset, slide, slides } = dyad;
+  if (k < lengths.length) return { ...dyad, lengths: replaced(lengths, k, lengths[k] + by) };
+  const moved = (guide) => ({ ...guide, offset: (guide.offset ?? 0) + by });
+  if (slides) return k < slides.length ? { ...dyad, slides: replaced(slides, k, moved(slides[k])) } : null;
+  if (k === 1 && slide) return { ...dyad, slide: moved(slide) };
+  return k === 1 && offset !== undefined ? { ...dyad, offset: offset + by } : null;
+}
+
 function chainWith(table, name, by) {
   const { crank, dyad = [] } = table;
   if (crank && name === (crank.name ?? "crank")) return { ...table, crank: { ...crank, length: crank.length + by } };
-  const d = dyad.findIndex(({ names = [], lengths = [] }) => names.indexOf(name) >= 0 && names.indexOf(name) < lengths.length);
-  if (d < 0) return null;
-  const k = dyad[d].names.indexOf(name);
-  return { ...table, dyad: replaced(dyad, d, { ...dyad[d], lengths: replaced(dyad[d].lengths, k, dyad[d].lengths[k] + by) }) };
+  const d = dyad.findIndex(({ names = [] }) => names.includes(name));
+  const changed = d < 0 ? null : dyadWith(dyad[d], dyad[d].names.indexOf(name), by);
+  return changed && { ...table, dyad: replaced(dyad, d, changed) };
 }
 
 // `table` with the dimension `name` changed by `by`; null where the page does not know how.

@@ -3,7 +3,7 @@
 import { element, svg } from "../dom.js";
 import { number } from "../format.js";
 import { round } from "../shapes.js";
-import { say } from "../words.js";
+import { say, withUnit } from "../words.js";
 
 const BOX = { height: 220, left: 12, right: 12, top: 26, bottom: 40 };
 
@@ -40,7 +40,7 @@ export class Histogram {
     });
     const root = svg("svg", { viewBox: `0 0 ${width} ${BOX.height}`, width, height: BOX.height, role: "img", "aria-label": say("tolerance.histogram") },
       ...bars, svg("path", { class: "zero", d: `M${BOX.left} ${foot}H${width - BOX.right}` }), ...this.#ticks(x, low, high, foot), ...this.#marks(marks, x, foot, width),
-      svg("text", { class: "axis", x: width / 2, y: BOX.height - 6, "text-anchor": "middle" }, say("unit.axis", { name: say("tolerance.greatest_error"), unit })));
+      svg("text", { class: "axis", x: width / 2, y: BOX.height - 6, "text-anchor": "middle" }, withUnit(say("tolerance.greatest_error"), unit)));
     this.holder.replaceChildren(root);
   }
 

@@ -5,9 +5,7 @@ import { RADIANS } from "../sampling.js";
 import { say } from "../words.js";
 import { diagonal } from "../view.js";
 import { withDimension, withDimensions } from "./changed.js";
-
-// A turn of the crank by which the direction of its path is found, in radians.
-const SMALL_TURN = 1e-5;
+import { DesignMover, targetAt } from "./design_mover.js";
 
 const CURVE_SAMPLES = 181;
 
@@ -16,7 +14,7 @@ class FourBarMover {
 
   knows(name) { return withDimension(this.table, name, 0) !== null; }
 
-  measures({ name, unit }) { return !name.endsWith(" transmission") && (unit === "deg" || Boolean(this.design.reached.length && this.table.coupler_point && !this.design.poses.length)); }
+  measures({ name, unit, along }) { return !name.endsWith(" transmission") && (unit === "deg" || Boolean(this.table.coupler_point && (along || (this.timed && !this.design.poses.length)))); }
 
   async changed(changes) {
     FourBarMover.kernel ??= await Kernel.load();
@@ -30,22 +28,15 @@ class FourBarMover {
     return FourBarMover.kernel.poses(cranks.map((deg) => deg * RADIANS));
   }
 
-  deviation(state, { unit }, drive) {
-    const [[before, ahead], [now]] = [this.#poses(this.table, [drive, drive + SMALL_TURN / RADIANS]), this.#poses(state, [drive])];
+  // `k`: the number of the position.
+  deviation(state, { unit, along }, drive, k) {
+    const [before, now] = [this.table, state].map((table) => this.#poses(table, [drive])[0]);
     if (!before || !now) return null;
     if (unit === "deg") { const turned = (now.rocker - before.rocker) / RADIANS; return turned - 360 * Math.round(turned / 360); }
-    if (this.timed) {
-      const target = this.design.targets[this.#stationAt(drive)];
-      return target ? Math.hypot(now.p[0] - target[0], now.p[1] - target[1]) : null;
-    }
-    const [x, y] = [now.p[0] - before.p[0], now.p[1] - before.p[1]];
-    if (!ahead) return null;
-    const [u, v] = [ahead.p[0] - before.p[0], ahead.p[1] - before.p[1]];
-    return (u * y - v * x) / Math.hypot(u, v);
+    if (along) return along[k][0] * (now.p[0] - before.p[0]) + along[k][1] * (now.p[1] - before.p[1]);
+    const target = targetAt(this.design, drive);
+    return target ? Math.hypot(now.p[0] - target[0], now.p[1] - target[1]) : null;
   }
-
-  // Which target is reached there.
-  #stationAt(drive) { return this.design.stations.findIndex((deg) => Math.abs(drive - deg - 360 * Math.round((drive - deg) / 360)) < 1e-6); }
 
   outlines(state, drive) {
     const pair = [this.table, state].map((table) => [table, this.#poses(table, [drive])[0]]);
@@ -57,16 +48,21 @@ class FourBarMover {
   }
 }
 
+function moverOf(design, timed) {
+  if (!design.assembles) return null;
+  if (design.entry.mechanism.type === "four-bar") return Kernel.available ? new FourBarMover(design, timed) : null;
+  return design.angular && DesignMover.available ? new DesignMover(design) : null;
+}
+
 // What the card needs to know of a design.
 export function designTolerances(design, problem, kind) {
   const [low, high] = design.entry.tolerance?.quantities?.find(({ judged }) => judged)?.exact ?? [];
   const timed = low === 0 && high > 0;
-  const fourBar = design.entry.mechanism.type === "four-bar" && design.assembles;
   const onPath = kind === "path" && !timed && design.assembles;
   const inRange = (at) => at >= design.from && at <= design.to;
   const limit = problem?.tolerance?.yield;
   return { xOf: (at) => (inRange(at) ? at : design.within(at)), range: [design.from, design.to], xLabel: say(design.angular ? "drive.angle_axis" : "drive.way_axis", { name: design.driveName }),
-    size: design.boxes.whole ? diagonal(design.boxes.whole) : 1, limit: limit?.max_error_deg ?? limit?.max_error, mover: fourBar && Kernel.available ? new FourBarMover(design, timed) : null,
+    size: design.boxes.whole ? diagonal(design.boxes.whole) : 1, limit: limit?.max_error_deg ?? limit?.max_error, mover: moverOf(design, timed),
     acrossAt: onPath ? (crank) => acrossPath(design, crank) : undefined };
 }
 

@@ -1,0 +1,34 @@
+// A design that is no four-bar moved within its tolerances, and how far what is judged of it is then off.
+
+import { embedded } from "../embedded.js";
+import { MechanismMover } from "./mechanism_mover.js";
+
+const MODULE = "mechanism-kernel";
+
+// The target that a design reaches at a drive coordinate in degrees.
+export const targetAt = ({ stations, targets }, drive) => targets[stations.findIndex((deg) => Math.abs(drive - deg - 360 * Math.round((drive - deg) / 360)) < 1e-6)];
+
+export class DesignMover extends MechanismMover {
+  static get available() { return embedded(MODULE).trim() !== ""; }
+
+  constructor(design) {
+    const { from, to } = design;
+    super({ kind: "analysis", mechanism: design.entry.mechanism, drive: { start_deg: from, end_deg: to } }, { from, to, round: design.fullTurn }, embedded(MODULE));
+    this.design = design;
+  }
+
+  measures({ name, unit, along }) { return !name.endsWith(" transmission") && (unit === "deg" || !this.design.poses.length) && Boolean(!along || this.design.point); }
+
+  // `k`: the number of the position.
+  deviation(state, { along, exact, unit }, drive, k) {
+    const { design } = this;
+    const at = design.within(drive);
+    const isDistance = unit !== "deg" && exact?.[0] === 0 && exact[1] > 0;
+    if (!along && !isDistance) return this.bodyDeviation(state, this.nominal.bodies[this.nominal.output].name, at);
+    const [p, q] = this.places(state, design.point.name, at);
+    if (!p || !q) return null;
+    if (along) return along[k][0] * (q[0] - p[0]) + along[k][1] * (q[1] - p[1]);
+    const target = targetAt(design, drive);
+    return target && Math.hypot(q[0] - target[0], q[1] - target[1]);
+  }
+}
