@@ -391,6 +391,13 @@ class Wheels(Solids):
                 turned = at * complex(math.cos(turn), math.sin(turn))
                 self.assertLess(min(abs(turned - other) for other in ends[width]), 1e-6)
 
+    def spur_text(self, tolerance, width):
+        """The facets of the same teeth without a helix."""
+        file = self.folder / "spur.toml"
+        file.write_text('kind = "gear"\nlength_unit = "mm"\nmechanism = {teeth = 9, module = 2, profile_shift = 0.45}\n')
+        (text,) = self.stl(self.export(self.result(file), "--format", "stl", "--thickness", width, "--chord-tolerance", tolerance)).values()
+        return text
+
     def test_helical_teeth_are_screws(self):
         width, helix = 14, math.radians(25)
         text = (f'kind = "{{kind}}"\nlength_unit = "mm"\nmechanism = {{{{gearing = "helical", teeth = {{teeth}}, module = 2, '
@@ -413,6 +420,17 @@ class Wheels(Solids):
         for at in corners:
             self.assertLess(min(distance_to_segment((at.real, at.imag), *edge)
                                 for edge in zip(outline, outline[1:] + outline[:1])), 2e-3)
+        # So do their middles within the tolerance, across which the normal is aslant by the helix. They are no more than
+        # those of the same teeth without a helix in rows so low that a chord of the screw keeps the tolerance, twice.
+        facets = facets_of(text)
+        rows = abs(turn) / math.sqrt(4 * tolerance / max(abs(complex(*at)) for at in outline))
+        self.assertLess(len(facets), 2 * rows * len(facets_of(self.spur_text(tolerance, 2 * width))))
+        for (ax, ay, az), (bx, by, bz), (cx, cy, cz) in facets[::97]:
+            z = (az + bz + cz) / 3
+            at = complex(ax + bx + cx, ay + by + cy) / 3 * complex(math.cos(turn * z / 2 / width), -math.sin(turn * z / 2 / width))
+            if 0 < z < 2 * width:
+                off = min(distance_to_segment((at.real, at.imag), *edge) for edge in zip(outline, outline[1:] + outline[:1]))
+                self.assertLess(off, 1.15 * tolerance + 1e-3)
         Linkages.check_facets(self, text, 2 * width * area(outline), 5e-3)
         self.assertIn("allowed is once", self.refusal(gear, "--format", "step", "--thickness", 300))
         bored, plain = (self.read(self.export(gear, "--format", "step", *more))["solids"][0]["volume"]

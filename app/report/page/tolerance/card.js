@@ -9,6 +9,7 @@ import { RADIANS } from "../sampling.js";
 import { keyword, LENGTH_UNIT, say, sentenceOf, term, withUnit } from "../words.js";
 import { contributionBars, Histogram } from "./histogram.js";
 import { roundedTimes } from "./layer.js";
+import { isDistance, isTransmission } from "./quantity.js";
 
 // Within so many standard deviations of the mean lie 99 % of a normal distribution.
 const SIGMAS_OF_99 = 2.5758;
@@ -21,10 +22,6 @@ const SHOWN_SHARE = 0.05;
 
 const unitOf = (quantity) => (quantity.unit === "deg" ? "°" : LENGTH_UNIT ?? "");
 const valueText = (value, quantity) => (quantity.unit === "deg" ? degreesShort(value, 4) : `${number(value, 4)} ${LENGTH_UNIT ?? ""}`.trim());
-const isTransmission = ({ name }) => name.endsWith(" transmission");
-
-// A distance has no sense: it is 0 at least.
-const isDistanceOf = ({ exact }) => Boolean(exact) && exact[0] === 0 && exact[1] > 0;
 
 // "coupler_point.u" and "C transmission" in the reader's words.
 function dimensionText(name) {
@@ -125,9 +122,9 @@ export class ToleranceCard {
     const { order, x } = this.#order();
     const of = (list) => list && order.map((i) => list[i]);
     const { linear, low: least, high: greatest, mean, sigma } = Object.fromEntries(Object.entries(quantity.positions).map(([key, list]) => [key, of(list)]));
-    const isDistance = isDistanceOf(quantity);
-    const worst = least ? [least, greatest] : [linear.map((v) => (v === null ? null : isDistance ? 0 : -v)), linear];
-    const inner = mean ? [-1, 1].map((side) => mean.map((m, i) => (m === null || sigma[i] === null ? null : Math.max(isDistance ? 0 : -Infinity, m + side * SIGMAS_OF_99 * sigma[i])))) : [];
+    const unsigned = isDistance(quantity);
+    const worst = least ? [least, greatest] : [linear.map((v) => (v === null ? null : unsigned ? 0 : -v)), linear];
+    const inner = mean ? [-1, 1].map((side) => mean.map((m, i) => (m === null || sigma[i] === null ? null : Math.max(unsigned ? 0 : -Infinity, m + side * SIGMAS_OF_99 * sigma[i])))) : [];
     const known = [...worst, ...inner].flat().filter((v) => v !== null);
     const exponent = engineeringExponent(Math.max(0, ...known.map(Math.abs)));
     const [factor, unit] = [10 ** -exponent, exponent ? `${powerOfTen(exponent)} ${unitOf(quantity)}`.trim() : unitOf(quantity)];
@@ -195,7 +192,7 @@ export class ToleranceCard {
 
   // Every dimension at the end of its tolerance that leads to the worst case; null where that is no corner of signs.
   #cornerOf(quantity) {
-    if (isTransmission(quantity) || !this.model.mover?.measures(quantity) || isDistanceOf(quantity)) return null;
+    if (isTransmission(quantity) || !this.model.mover?.measures(quantity) || isDistance(quantity)) return null;
     const signed = quantity.contributions.map(({ dimension, sensitivity }) => [this.tolerance.dimensions.find(({ name }) => name === dimension), Math.sign(sensitivity)]);
     const reach = (side) => signed.reduce((sum, [{ plus, minus: less }, sign], i) => sum + Math.abs(quantity.contributions[i].sensitivity) * (side * sign > 0 ? plus : less), 0);
     const side = reach(1) >= reach(-1) ? 1 : -1;

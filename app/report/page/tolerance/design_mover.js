@@ -2,6 +2,7 @@
 
 import { embedded } from "../embedded.js";
 import { MechanismMover } from "./mechanism_mover.js";
+import { isDistance } from "./quantity.js";
 
 const MODULE = "mechanism-kernel";
 
@@ -17,14 +18,14 @@ export class DesignMover extends MechanismMover {
     this.design = design;
   }
 
-  measures({ name, unit, along }) { return !name.endsWith(" transmission") && (unit === "deg" || !this.design.poses.length) && Boolean(!along || this.design.point); }
+  measures(quantity) { return super.measures(quantity) && Boolean(this.design.point || !(quantity.along || isDistance(quantity))); }
 
   // `k`: the number of the position.
-  deviation(state, { along, exact, unit }, drive, k) {
+  deviation(state, quantity, drive, k) {
     const { design } = this;
+    const { along } = quantity;
     const at = design.within(drive);
-    const isDistance = unit !== "deg" && exact?.[0] === 0 && exact[1] > 0;
-    if (!along && !isDistance) return this.bodyDeviation(state, this.nominal.bodies[this.nominal.output].name, at);
+    if (!along && !isDistance(quantity)) return this.bodyDeviation(state, this.nominal.bodies[this.nominal.output].name, at);
     const [p, q] = this.places(state, design.point.name, at);
     if (!p || !q) return null;
     if (along) return along[k][0] * (q[0] - p[0]) + along[k][1] * (q[1] - p[1]);

@@ -4,6 +4,7 @@ import { AnalysisKernel } from "../edit/analysis_kernel.js";
 import { Mechanism } from "../mechanism.js";
 import { interpolate, locate } from "../sampling.js";
 import { withDimension, withDimensions } from "./changed.js";
+import { isTransmission } from "./quantity.js";
 
 const bodyNamed = (mechanism, name) => mechanism.bodies.findIndex((body) => body.name === name);
 
@@ -13,7 +14,7 @@ export class MechanismMover {
 
   knows(name) { return withDimension(this.problem.mechanism, name, 0) !== null; }
 
-  measures({ name }) { return !name.endsWith(" transmission"); }
+  measures(quantity) { return !isTransmission(quantity); }
 
   async changed(changes) {
     MechanismMover.kernel ??= await AnalysisKernel.load(this.module);

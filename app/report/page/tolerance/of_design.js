@@ -6,6 +6,7 @@ import { say } from "../words.js";
 import { diagonal } from "../view.js";
 import { withDimension, withDimensions } from "./changed.js";
 import { DesignMover, targetAt } from "./design_mover.js";
+import { isDistance, isTransmission } from "./quantity.js";
 
 const CURVE_SAMPLES = 181;
 
@@ -14,7 +15,7 @@ class FourBarMover {
 
   knows(name) { return withDimension(this.table, name, 0) !== null; }
 
-  measures({ name, unit, along }) { return !name.endsWith(" transmission") && (unit === "deg" || Boolean(this.table.coupler_point && (along || (this.timed && !this.design.poses.length)))); }
+  measures(quantity) { return !isTransmission(quantity) && (quantity.unit === "deg" || Boolean(this.table.coupler_point && (quantity.along || this.timed))); }
 
   async changed(changes) {
     FourBarMover.kernel ??= await Kernel.load();
@@ -56,8 +57,7 @@ function moverOf(design, timed) {
 
 // What the card needs to know of a design.
 export function designTolerances(design, problem, kind) {
-  const [low, high] = design.entry.tolerance?.quantities?.find(({ judged }) => judged)?.exact ?? [];
-  const timed = low === 0 && high > 0;
+  const timed = isDistance(design.entry.tolerance?.quantities?.find(({ judged }) => judged) ?? {});
   const onPath = kind === "path" && !timed && design.assembles;
   const inRange = (at) => at >= design.from && at <= design.to;
   const limit = problem?.tolerance?.yield;

@@ -1,0 +1,6 @@
+// What results tell of a quantity that tolerances change.
+
+export const isTransmission = ({ name }) => name.endsWith(" transmission");
+
+// A distance has no sense: it is 0 at least.
+export const isDistance = ({ exact, unit }) => unit !== "deg" && exact?.[0] === 0 && exact[1] > 0;
