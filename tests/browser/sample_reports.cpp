@@ -220,7 +220,7 @@ int main(int argc, char** argv) {
         "path/drop-of-any-size", "path/ellipse-in-two-layers", "path/toleranced-ellipse",
         "path/ellipse-on-half-units", "cam/toleranced-roller", "cam/oscillating-roller-on-raster",
         "chain/toleranced-slider-crank", "chain-function/toleranced-square",
-        "quick-return/crank-rocker-on-millimetres"}) {
+        "motion/toleranced-tray", "quick-return/crank-rocker-on-millimetres"}) {
     const std::filesystem::path file = library / (std::string(name) + ".toml");
     const auto problem = read_task(file);
     if (!problem) return 1;

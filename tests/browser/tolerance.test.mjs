@@ -193,6 +193,22 @@ test("a slider that was found moves within its tolerances along its guide", { sk
   }
 }));
 
+test("a body that was guided is as far from its poses as they say, once its crank is changed", { skip: withoutPlots }, () => visit(browser, "toleranced-tray", still, async (page) => {
+  const result = await resultOf(page);
+  const { problem, designs: [{ mechanism, tolerance }] } = result;
+  const { nominal } = judgedOf(result).positions;
+  const asChain = (m) => ({ crank: { length: m.crank }, pivot: [{ at: m.pivot }], point: m.point, dyad: [{ lengths: [m.coupler], assembly: m.assembly, slide: { through: "A", direction_deg: m.direction_deg, offset: m.offset } }] });
+  await setSlider(page, "crank", 0.1);
+  const rows = await deviations(page);
+  assert.equal(rows.length, tolerance.crank_deg.length);
+  for (const { drive, set } of rows) {
+    const k = tolerance.crank_deg.findIndex((deg) => Math.abs(deg - drive) < 1e-3);
+    const far = (m) => { const [[x, y], [u, v]] = [sliderCrank(asChain(m), tolerance.crank_deg[k]).p, problem.target.poses[k]]; return Math.hypot(x - u, y - v); };
+    near(far(mechanism), nominal[k], 1e-9, "nominal");
+    near(set, far({ ...mechanism, crank: mechanism.crank + 0.1 }), 2e-3, `at ${drive}`);
+  }
+}));
+
 test("a cam's follower is off as its sensitivities say, and at the worst corner by the worst case", { skip: withoutPlots }, () => visit(browser, "toleranced-roller", still, async (page) => {
   const quantity = judgedOf(await resultOf(page));
   const at = async () => (await deviations(page)).reduce((best, row) => (Math.abs(row.drive - quantity.linear_at) < Math.abs(best.drive - quantity.linear_at) ? row : best)).set;
