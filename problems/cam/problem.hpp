@@ -105,6 +105,15 @@ struct CamProblem {
   /// What the file says of one of the lengths.
   const CamLength& length(CamDimension d) const { return lengths[static_cast<int>(d)]; }
   CamLength& length(CamDimension d) { return lengths[static_cast<int>(d)]; }
+
+  /// Whether that length of a cam that is made may be off: a knife edge has no roller, and where a
+  /// flat face's line is does not matter.
+  bool has_tolerance(CamDimension d) const {
+    const bool no_roller = d == CamDimension::roller_radius && is_knife(follower);
+    const bool no_line =
+        d == CamDimension::offset && follower == cam::FollowerType::translating_flat;
+    return length(d).used && !no_roller && !no_line;
+  }
 };
 
 template <>

@@ -40,7 +40,7 @@ void read_solve(TableReader& solve, CamProblem& problem) {
 ToleranceScope cam_scope(const CamProblem& problem) {
   ToleranceScope scope;
   for (const auto& [name, dimension] : names<CamDimension>()) {
-    if (problem.length(dimension).used) scope.dimensions.emplace_back(name);
+    if (problem.has_tolerance(dimension)) scope.dimensions.emplace_back(name);
   }
   scope.has_pivots = false;
   if (cam::is_oscillating(problem.follower)) scope.unit = "deg";

@@ -46,7 +46,7 @@ class ChangedCam {
   std::optional<std::string> take(const Tolerances& tolerances) {
     for (std::size_t k = 0; k < kMembers.size(); ++k) {
       const auto dimension = static_cast<CamDimension>(k);
-      if (!problem_.length(dimension).used) continue;
+      if (!problem_.has_tolerance(dimension)) continue;
       const std::string name(to_string(dimension));
       const auto named = std::ranges::find(tolerances.dimensions, name, &NamedTolerance::dimension);
       const bool is_named = named != tolerances.dimensions.end();

@@ -172,8 +172,8 @@ MechanismWithPoints<double> with_points(const NamedMechanism& mechanism) {
   return all;
 }
 
-/// All numbers of the mechanism that the description of `mechanism` tells, as a file's is read;
-/// empty where that is none.
+/// All numbers of the mechanism that the description of `mechanism` tells, as a file's is read, its
+/// points in the order of `mechanism`; empty where that is none.
 std::vector<double> numbers_of(const NamedMechanism& mechanism) {
   using namespace reading;
   const Table table = mechanism_writer(mechanism).take();
@@ -183,7 +183,14 @@ std::vector<double> numbers_of(const NamedMechanism& mechanism) {
   TableReader keys(table, faults);
   const auto read = read_whole_mechanism(document, keys);
   if (!read || faults.size() > 0) return {};
-  return AffineMechanism::numbers(with_points(read->mechanism));
+  MechanismWithPoints<double> all{read->mechanism.mechanism, {}};
+  for (const NamedPoint& point : mechanism.points) {
+    const auto& points = read->mechanism.points;
+    const auto same = std::ranges::find(points, point.name, &NamedPoint::name);
+    if (same == points.end()) return {};
+    all.points.push_back(same->at);
+  }
+  return AffineMechanism::numbers(all);
 }
 
 /// How each number grows with `dimension`; empty where it is no multiple of its change.

@@ -16,7 +16,7 @@ constexpr std::string_view kForms = "a number, {plus, minus}, or a grade as \"IT
 constexpr int kMostSamples = 10'000'000;
 
 constexpr NumberRule kDeviation{[](double x) { return x >= 0 && is_magnitude(x); },
-                                "a length, 0 or from 1e-100 to 1e100,"};
+                                "a length, 0 or from 1e-100 to 1e100"};
 constexpr NumberRule kCost{is_positive_magnitude, "a factor from 1e-100 to 1e100"};
 constexpr NumberRule kErrorLimit{is_positive_magnitude, "an error from 1e-100 to 1e100"};
 

@@ -131,6 +131,44 @@ class SamplesTest(unittest.TestCase):
         for quantile in judged["quantiles"][:4]:
             self.assertAlmostEqual(quantile["error"] / np.quantile(extremes, quantile["share"]), 1, delta=0.02)
 
+    def test_six_bar_through_timed_points(self):
+        """Distances from the targets of a chain that was found, its second dyad on a point of the first."""
+        crank_angles = np.arange(40, 161, 20)
+        a, d, g = 2.625, 3.5, -1.5 + 4.5j
+
+        def foot(lengths, angles, e, p, flip=(False, False)):
+            crank, bc, cd, ef, fg = lengths
+            b = a + crank * np.exp(1j * angles)
+            c = np.conj(dyad(np.conj(b), d, bc, cd)) if flip[0] else dyad(b, d, bc, cd)
+            at = b + e * (c - b) / bc
+            f = np.conj(dyad(np.conj(at), np.conj(g), ef, fg)) if flip[1] else dyad(at, g, ef, fg)
+            return at + p * (f - at) / ef
+
+        targets = foot((0.25, 1, 1, 3.5, 3.5), np.radians(crank_angles), -3, 3.5 - 3j, (True, False))
+        result = cognate.solve(
+            kind="path-generation",
+            target={"points": [[at.real, at.imag] for at in targets], "crank_deg": [float(x) for x in crank_angles]},
+            mechanism={"type": "chain", "pivot": [{"name": "A", "at": [2.625, 0]}, {"name": "D", "at": [3.5, 0]},
+                                                  {"name": "G", "at": [-1.5, 4.5]}],
+                       "crank": {"at": "A", "pin": "B"},
+                       "dyad": [{"joins": ["B", "D"], "new": "C"}, {"joins": ["E", "G"], "new": "F"}],
+                       "point": [{"name": "E", "on": ["B", "C"]}, {"name": "P", "on": ["E", "F"]}]},
+            bounds={"length": [0.1, 6], "point": [[-6, -6], [6, 6]]}, solve={"designs": 1, "starts": 256},
+            tolerance={"length": 0.001, "samples": 100_000}, threads=1)
+        design = result.document["designs"][0]
+        table, chain = design["tolerance"], design["mechanism"]
+        self.assertEqual([one["name"] for one in table["dimensions"]],
+                         ["crank", "BC", "CD", "EF", "FG", "E.u", "E.v", "P.u", "P.v"])
+        first, second = chain["dyad"]
+        lengths = [chain["crank"]["length"], *first["lengths"], *second["lengths"]]
+        e, p = (complex(*point["at"]) for point in chain["point"])
+        flip = [one["assembly"] == "crossed" for one in (first, second)]
+        change = normal(7, 0.001, 9)
+        angles = np.radians(table["crank_deg"])
+        places = foot([length + by for length, by in zip(lengths, change)], angles, e + change[5] + 1j * change[6],
+                      p + change[7] + 1j * change[8], flip)
+        self.agree(self.judged(table), table["samples"], np.abs(places - targets))
+
     def test_chain_of_two_dyads(self):
         chain = {"type": "chain",
                  "pivot": [{"name": "A", "at": [0, 0]}, {"name": "D", "at": [110, 0]},
