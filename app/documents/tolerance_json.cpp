@@ -80,6 +80,7 @@ ordered_json figures_json(const ToleranceResult& result, const ToleranceFigures&
     table["histogram"] = {{"edges", figures.histogram_edges}, {"counts", figures.histogram}};
   }
   table["positions"] = positions_json(result, figures);
+  if (figures.is_point) table["distance"] = true;
   for (const Vec2d& direction : figures.along) table["along"].push_back(to_json(direction));
   return table;
 }

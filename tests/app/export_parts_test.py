@@ -136,6 +136,18 @@ class ExportParts(ExportedLinkages):
                 seen += 1
         self.assertGreaterEqual(seen, 2)
 
+    def test_a_slot_that_takes_the_hole_of_a_point_is_noted(self):
+        """K of the rod is 0.02 beyond the end of the block's way: a hole and a slot of that width meet."""
+        result = self.named("oscillating-block")
+        for hole, has in ((0.019, True), (0.021, False)):
+            done = run("export", result, "--format", "json", "--parts", "--hole", hole, "--width", 0.08, "--out", "point",
+                       cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            parts = json.loads((self.folder / "point" / "oscillating-block.parts.json").read_text())["parts"]
+            rod = next(part for part in parts if part["name"] == "rod")
+            self.assertEqual("K" in [hole["name"] for hole in rod["holes"]], has)
+            self.assertEqual("the point K of rod has no hole" in done.stderr + done.stdout, not has)
+
     def test_slots_of_many_turns(self):
         """The stroke of an offset slider-crank by Pythagoras, for any number of turns."""
         stroke = math.sqrt(230**2 - 25**2) - math.sqrt(30**2 - 25**2)

@@ -101,6 +101,20 @@ class SamplesTest(unittest.TestCase):
         own = wrapped(rocker(normal(2, 0.002, 4)) - rocker(np.zeros((4, 1, 1))))
         self.agree(self.judged(table), table["samples"], np.degrees(own))
 
+    def test_what_a_follower_has_not_is_not_off(self):
+        for follower, given, names in (("translating-knife", {"offset": 5}, ["base_radius", "offset"]),
+                                       ("translating-roller", {"offset": 5, "roller_radius": 8},
+                                        ["base_radius", "offset", "roller_radius"]),
+                                       ("translating-flat", {}, ["base_radius"])):
+            file = {"kind": "cam", "follower": {"type": follower}, "motion": MOTION,
+                    "mechanism": {"base_radius": 50, **given}}
+            table = cognate.solve(file, tolerance={"length": 0.1, "samples": 0}).document["designs"][0]["tolerance"]
+            self.assertEqual([one["name"] for one in table["dimensions"]], names)
+            for missing in {"offset", "roller_radius"} - set(names):
+                with self.assertRaises(cognate.ProblemError) as caught:
+                    cognate.solve(file, tolerance={missing: 0.1})
+                self.assertIn(missing, str(caught.exception))
+
     def test_slider_of_a_function(self):
         """A slider-crank's slider along its guide, from the one equation of its triangle."""
         result = cognate.solve(

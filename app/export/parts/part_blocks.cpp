@@ -67,8 +67,7 @@ void note_blocks(LinkParts& made, const PartOrder& order) {
   if (!is_thin(wall, order)) return;
   made.notes.push_back(
       fmt::format("the walls of blocks beside their holes are {:.3g} thick, less than a tenth of "
-                  "the hole: they "
-                  "may break",
+                  "the hole: they may break",
                   wall));
 }
 

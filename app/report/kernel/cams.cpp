@@ -1,6 +1,5 @@
 /// @file Cams in a page: a problem of which all is given is read and evaluated by the program's own
 /// reader and evaluator, and comes back as the data that its page is drawn from.
-#include <array>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>

@@ -3,4 +3,4 @@
 export const isTransmission = ({ name }) => name.endsWith(" transmission");
 
 // A distance has no sense: it is 0 at least.
-export const isDistance = ({ exact, unit }) => unit !== "deg" && exact?.[0] === 0 && exact[1] > 0;
+export const isDistance = ({ distance }) => distance === true;
