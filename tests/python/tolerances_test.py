@@ -120,9 +120,10 @@ class SamplesTest(unittest.TestCase):
         result = cognate.solve(
             kind="function-generation", length_unit="mm",
             target={"function": "x^2", "domain": [0, 1], "input_range_deg": 60, "output_range": 100,
-                    "objective": "minimax"},
-            mechanism={"type": "slider-crank"}, bounds={"length": [10, 1000]},
-            constraints={"transmission_angle_deg": [30, 150]}, solve={"designs": 1},
+                    "objective": "minimax", "output": "C"},
+            mechanism={"type": "chain"}, pivot=[{"name": "A", "at": [0, 0]}], crank={"at": "A", "pin": "B"},
+            dyad=[{"type": "RRP", "joins": "B", "new": "C", "slide": {"direction_deg": 30, "offset": "free"}}],
+            bounds={"length": [10, 1000]}, constraints={"transmission_angle_deg": [30, 150]}, solve={"designs": 1},
             tolerance={"length": 0.3, "samples": 100_000}, threads=1)
         design = result.document["designs"][0]
         table, chain = design["tolerance"], design["mechanism"]
@@ -148,9 +149,9 @@ class SamplesTest(unittest.TestCase):
     def test_six_bar_through_timed_points(self):
         """Distances from the targets of a chain that was found, its second dyad on a point of the first."""
         crank_angles = np.arange(40, 161, 20)
-        a, d, g = 2.625, 3.5, -1.5 + 4.5j
 
-        def foot(lengths, angles, e, p, flip=(False, False)):
+        def foot(pivots, lengths, angles, e, p, flip):
+            a, d, g = pivots
             crank, bc, cd, ef, fg = lengths
             b = a + crank * np.exp(1j * angles)
             c = np.conj(dyad(np.conj(b), d, bc, cd)) if flip[0] else dyad(b, d, bc, cd)
@@ -158,16 +159,14 @@ class SamplesTest(unittest.TestCase):
             f = np.conj(dyad(np.conj(at), np.conj(g), ef, fg)) if flip[1] else dyad(at, g, ef, fg)
             return at + p * (f - at) / ef
 
-        targets = foot((0.25, 1, 1, 3.5, 3.5), np.radians(crank_angles), -3, 3.5 - 3j, (True, False))
+        targets = foot((2.625, 3.5, -1.5 + 4.5j), (0.25, 1, 1, 3.5, 3.5), np.radians(crank_angles), -3, 3.5 - 3j,
+                       (True, False))
         result = cognate.solve(
             kind="path-generation",
             target={"points": [[at.real, at.imag] for at in targets], "crank_deg": [float(x) for x in crank_angles]},
-            mechanism={"type": "chain", "pivot": [{"name": "A", "at": [2.625, 0]}, {"name": "D", "at": [3.5, 0]},
-                                                  {"name": "G", "at": [-1.5, 4.5]}],
-                       "crank": {"at": "A", "pin": "B"},
-                       "dyad": [{"joins": ["B", "D"], "new": "C"}, {"joins": ["E", "G"], "new": "F"}],
-                       "point": [{"name": "E", "on": ["B", "C"]}, {"name": "P", "on": ["E", "F"]}]},
-            bounds={"length": [0.1, 6], "point": [[-6, -6], [6, 6]]}, solve={"designs": 1, "starts": 256},
+            mechanism={"type": "stephenson-3"},
+            bounds={"length": [0.1, 6], "pivots": [[-6, -6], [6, 6]], "point": [[-6, -6], [6, 6]]},
+            constraints={"over": "range"}, solve={"designs": 1, "starts": 256},
             tolerance={"length": 0.001, "samples": 100_000}, threads=1)
         design = result.document["designs"][0]
         table, chain = design["tolerance"], design["mechanism"]
@@ -176,11 +175,13 @@ class SamplesTest(unittest.TestCase):
         first, second = chain["dyad"]
         lengths = [chain["crank"]["length"], *first["lengths"], *second["lengths"]]
         e, p = (complex(*point["at"]) for point in chain["point"])
+        pivots = [complex(*pivot["at"]) for pivot in chain["pivot"]]
+        self.assertEqual([pivot["name"] for pivot in chain["pivot"]], ["A", "D", "G"])
         flip = [one["assembly"] == "crossed" for one in (first, second)]
         change = normal(7, 0.001, 9)
         angles = np.radians(table["crank_deg"])
-        places = foot([length + by for length, by in zip(lengths, change)], angles, e + change[5] + 1j * change[6],
-                      p + change[7] + 1j * change[8], flip)
+        places = foot(pivots, [length + by for length, by in zip(lengths, change)], angles,
+                      e + change[5] + 1j * change[6], p + change[7] + 1j * change[8], flip)
         self.agree(self.judged(table), table["samples"], np.abs(places - targets))
 
     def test_chain_of_two_dyads(self):

@@ -245,6 +245,13 @@ TEST(GearTrainTest, TrainsOfOneRatioGoBySize) {
   }
 }
 
+TEST(GearTrainTest, OneRatioHasOneErrorBeyondTheDigitsOfADouble) {
+  const std::uint64_t rest = 9998ULL * 9997 * 9996;
+  for (const double wanted : {1.0001, 1.00010001, 0.9, 1.2345}) {
+    EXPECT_EQ(ratio_error(10000 * rest, 9999 * rest, wanted), ratio_error(10000, 9999, wanted));
+  }
+}
+
 TEST(GearTrainTest, TorquesThatLockATrainAreNoSolution) {
   // Two inputs, the torque of the output between them given: no sense of the power agrees.
   const auto train = parse_task<GearTrainProblem>(R"(kind = "gear-train"
