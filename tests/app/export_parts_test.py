@@ -110,13 +110,6 @@ class ExportParts(ExportedLinkages):
         self.assertTrue(all(low >= 1 and high <= sheet["planes"] and high > low
                             for low, high in (pin["planes"] for pin in sheet["pins"])))
 
-    def analysed(self, name, text):
-        """The result of an analysis of this text."""
-        (self.folder / f"{name}.toml").write_text('kind = "analysis"\n' + text)
-        done = run("analyze", f"{name}.toml", "--quiet", cwd=self.folder)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return self.folder / f"{name}.result.json"
-
     def slots(self, result):
         document = self.document(result)
         return [slot for link in document["links"] for slot in link["slots"]]

@@ -56,6 +56,13 @@ class ExportedLinkages(unittest.TestCase):
             self.made[asked] = self.folder / file
         return self.made[asked]
 
+    def analysed(self, name, text):
+        """The result of an analysis of this text."""
+        (self.folder / f"{name}.toml").write_text('kind = "analysis"\n' + text)
+        done = run("analyze", f"{name}.toml", "--quiet", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return self.folder / f"{name}.result.json"
+
     def document(self, result, *options):
         return json.loads(self.export(result, "json", *options).read_text())
 

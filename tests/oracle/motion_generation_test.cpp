@@ -203,6 +203,8 @@ TEST(MotionOracleTest, LibraryIsSolved) {
     const Result result = solved(entry.path().stem().string());
     EXPECT_EQ(result.status, Status::solved) << entry.path();
     if (entry.path().stem() == "eleven-poses") continue;  // records_test.cpp has its error
+    // Six poses, which no linkage of these lengths meets; its page is held by a closure of its own.
+    if (entry.path().stem() == "toleranced-tray") continue;
     for (const Design& design : result.designs) {
       EXPECT_LT(design.error.max, 1e-10) << entry.path();
       EXPECT_EQ(design.origin.substr(0, 6), "exact:");
