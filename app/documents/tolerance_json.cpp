@@ -4,6 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/documents/json_values.hpp"
+
 namespace cognate::app {
 namespace {
 
