@@ -112,7 +112,7 @@ std::string allocation_text(const ToleranceResult& result, const Screen& screen)
   Column cost{"cost", Align::right, {}};
   for (const auto& one : result.allocation) {
     names.cells.push_back(printable(one.dimension));
-    tolerance.cells.push_back("±" + number(one.tolerance));
+    tolerance.cells.push_back(std::isinf(one.tolerance) ? "any" : "±" + number(one.tolerance));
     cost.cells.push_back(number(one.cost));
   }
   return table_text({names, tolerance, cost}, screen);

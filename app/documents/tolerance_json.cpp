@@ -106,7 +106,7 @@ ordered_json clearances_json(const ToleranceResult& result) {
 ordered_json allocation_json(const ToleranceResult& result) {
   ordered_json rows = ordered_json::array();
   for (const auto& [dimension, tolerance, cost] : result.allocation) {
-    rows.push_back({{"dimension", dimension}, {"tolerance", tolerance}, {"cost", cost}});
+    rows.push_back({{"dimension", dimension}, {"tolerance", known(tolerance)}, {"cost", cost}});
   }
   return {
       {"cost", *result.allocation_cost}, {"error", *result.allocation_error}, {"tolerances", rows}};

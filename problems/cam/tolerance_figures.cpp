@@ -239,17 +239,14 @@ void allocate(const ChangedCam& cam, const Tolerances& tolerances,
     };
     return *std::ranges::max_element(demands, {}, spent);
   };
-  const auto cheapest = synthesis::cheapest_tolerances(costs, worst, power);
-  if (!cheapest) {
-    note_nothing_allocated(result);
-    return;
+  AllocatedCosts to{cam.dimensions(), costs, std::vector<double>(costs.size(), 0.0)};
+  for (const auto& row : rates) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      to.influence[i] = std::max(to.influence[i], std::abs(row[i]));
+    }
   }
-  for (std::size_t i = 0; i < costs.size(); ++i) {
-    const double t = cheapest->tolerances[i];
-    result.allocation.push_back({cam.dimensions()[i].name, t, costs[i] / t});
-  }
-  result.allocation_cost = cheapest->cost;
-  result.allocation_error = allocation.limit;
+  problems::allocate(to, worst, power, result);
+  if (result.allocation_cost) result.allocation_error = allocation.limit;
 }
 
 void to_degrees(ToleranceFigures& figures) {

@@ -8,10 +8,10 @@
 #include "problems/chain/problem.hpp"
 #include "problems/chain/read_design.hpp"
 #include "problems/chain/read_target.hpp"
+#include "problems/chain/read_tolerances.hpp"
 #include "problems/layers/read.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
-#include "problems/tolerance/read.hpp"
 
 namespace cognate::problems {
 namespace reading {
@@ -102,7 +102,7 @@ ChainPathProblem KindTraits<ChainPathProblem>::read(reading::TableReader& docume
   problem.raster = read_chain_raster(document, problem);
   check_movable(tables.target, problem);
   problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies));
-  problem.tolerances = read_tolerances(document, {});
+  problem.tolerances = read_chain_tolerances(document, problem.topologies, "length");
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
     table->finish();

@@ -1,6 +1,6 @@
-#include "problems/tolerance/read.hpp"
 
 #include "problems/chain/read_design.hpp"
+#include "problems/chain/read_tolerances.hpp"
 #include "problems/chain_function/verify.hpp"
 #include "problems/function/read_goal.hpp"
 #include "problems/function/read_target.hpp"
@@ -120,7 +120,8 @@ ChainFunctionProblem KindTraits<ChainFunctionProblem>::read(
   read_constraints(tables.constraints, problem);
   read_chain_solve(tables.solve, problem.solve);
   problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies));
-  problem.tolerances = read_tolerances(document, {.unit = slides(problem) ? "" : "deg"});
+  problem.tolerances =
+      read_chain_tolerances(document, problem.topologies, slides(problem) ? "length" : "deg");
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
     table->finish();

@@ -1,4 +1,3 @@
-#include "problems/tolerance/read.hpp"
 
 #include <fmt/core.h>
 
@@ -7,6 +6,7 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/chain/read_design.hpp"
+#include "problems/chain/read_tolerances.hpp"
 #include "problems/dwell/raster.hpp"
 #include "problems/layers/read.hpp"
 #include "problems/linkage/warnings.hpp"
@@ -153,7 +153,8 @@ DwellProblem KindTraits<DwellProblem>::read(reading::TableReader& document,
   read_chain_solve(tables.solve, problem.solve);
   read_dwell_raster(document, problem);
   problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies));
-  problem.tolerances = read_tolerances(document, {.unit = slides(problem) ? "" : "deg"});
+  problem.tolerances =
+      read_chain_tolerances(document, problem.topologies, slides(problem) ? "length" : "deg");
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
     table->finish();

@@ -7,7 +7,7 @@
 
 #include "problems/evaluation/problem.hpp"
 #include "problems/evaluation/read_output.hpp"
-#include "problems/evaluation/tolerance_scope.hpp"
+#include "problems/evaluation/read_tolerances.hpp"
 #include "problems/mechanism/directions.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
 #include "problems/mechanism/read_links.hpp"
@@ -162,7 +162,7 @@ AnalysisProblem KindTraits<AnalysisProblem>::read(reading::TableReader& document
   problem.mechanism = std::move(read.mechanism);
   check_coupler_curve(output, mechanism, problem);
   if (document.faults().size() == 0) {
-    problem.tolerances = read_tolerances(document, tolerance_scope(problem.mechanism));
+    problem.tolerances = read_tolerances(document, problem.mechanism);
     problem.layers = read_layers(document, problem.mechanism);
   } else {
     document.know({"tolerance", "layers"});  // their names are those of a sound mechanism

@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 
 #include "problems/evaluation/problem.hpp"
-#include "problems/evaluation/tolerance_scope.hpp"
+#include "problems/evaluation/read_tolerances.hpp"
 #include "problems/layers/read.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/mechanism/write_mechanism.hpp"

@@ -1,8 +1,8 @@
-#include "problems/tolerance/read.hpp"
 
 #include <algorithm>
 
 #include "problems/chain/read_design.hpp"
+#include "problems/chain/read_tolerances.hpp"
 #include "problems/layers/read.hpp"
 #include "problems/leg/keys.hpp"
 #include "problems/leg/known.hpp"
@@ -77,7 +77,7 @@ LegProblem KindTraits<LegProblem>::read(reading::TableReader& document,
                          "transmission_angle_deg, foot_speed_min and foot_speed_max");
   read_chain_solve(tables.solve, problem.solve);
   problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies));
-  problem.tolerances = read_tolerances(document, {});
+  problem.tolerances = read_chain_tolerances(document, problem.topologies, "length");
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
     table->finish();

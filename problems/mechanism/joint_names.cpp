@@ -105,6 +105,17 @@ std::vector<std::string> joint_names(const NamedMechanism& mechanism) {
   return names;
 }
 
+std::vector<std::string> pin_names(const NamedMechanism& mechanism) {
+  const JointList list = joints(mechanism.mechanism);
+  const std::vector<std::string> names = joint_names(mechanism);
+  std::vector<std::string> pins;
+  for (std::size_t i = 0; i < list.joints.size(); ++i) {
+    const bool turns = list.joints[i].type == JointType::revolute;
+    if (turns && std::ranges::find(pins, names[i]) == pins.end()) pins.push_back(names[i]);
+  }
+  return pins;
+}
+
 std::vector<std::string> dyad_names(const NamedMechanism& mechanism) {
   const JointList list = joints(mechanism.mechanism);
   const auto names = joint_names(mechanism);

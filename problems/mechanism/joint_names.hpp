@@ -14,6 +14,9 @@ namespace cognate::problems {
 /// its two bodies: "block-bar".
 std::vector<std::string> joint_names(const NamedMechanism& mechanism);
 
+/// The names of the turning joints, each once.
+std::vector<std::string> pin_names(const NamedMechanism& mechanism);
+
 /// One name for each dyad: of RRR that of its inner joint, else of its second body (the slider, the
 /// bar).
 std::vector<std::string> dyad_names(const NamedMechanism& mechanism);

@@ -1,14 +1,14 @@
 #include "problems/tolerance/allocate.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 #include <string_view>
-#include <vector>
 
 #include "analysis/numbers/constants.hpp"
-#include "synthesis/tolerance/allocation.hpp"
 #include "synthesis/tolerance/worst_case.hpp"
 
 namespace cognate::problems {
@@ -118,10 +118,47 @@ std::vector<double> costs_of(const std::vector<TolerancedDimension>& dimensions,
 
 }  // namespace
 
-void note_nothing_allocated(ToleranceResult& result) {
-  result.notes.emplace_back(
-      "No tolerances were allocated: a dimension does not change the error at any position, so "
-      "that its tolerance has no end.");
+void allocate(const AllocatedCosts& to, const WorstDemand& worst, int power,
+              ToleranceResult& result) {
+  constexpr double kNone = 1e-12;  // of the greatest influence: rounding
+  const double greatest = *std::ranges::max_element(to.influence);
+  std::vector<std::size_t> held;
+  std::vector<double> costs;
+  for (std::size_t i = 0; i < to.influence.size(); ++i) {
+    if (!(to.influence[i] > kNone * greatest)) continue;
+    held.push_back(i);
+    costs.push_back(to.costs[i]);
+  }
+  const auto worst_of_held = [&](const std::vector<double>& t) {
+    std::vector<double> all(to.influence.size(), 0.0);
+    for (std::size_t h = 0; h < held.size(); ++h) all[held[h]] = t[h];
+    synthesis::ToleranceDemand demand = worst(all);
+    for (std::size_t h = 0; h < held.size(); ++h) demand.factors[h] = demand.factors[held[h]];
+    demand.factors.resize(held.size());
+    return demand;
+  };
+  std::optional<synthesis::LeastCost> cheapest;
+  if (!held.empty()) cheapest = synthesis::cheapest_tolerances(costs, worst_of_held, power);
+  if (!cheapest) {
+    result.notes.emplace_back(
+        "No tolerances were allocated: no dimension changes the error at any position.");
+    return;
+  }
+  std::vector<double> tolerances(to.influence.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t h = 0; h < held.size(); ++h) tolerances[held[h]] = cheapest->tolerances[h];
+  std::vector<std::string> free;
+  for (std::size_t i = 0; i < tolerances.size(); ++i) {
+    const std::string& name = to.dimensions[i].name;
+    result.allocation.push_back({name, tolerances[i], to.costs[i] / tolerances[i]});
+    if (std::isinf(tolerances[i])) free.push_back(name);
+  }
+  if (!free.empty()) {
+    result.notes.push_back(fmt::format(
+        "To first order the error does not change with {} at any position: tolerance.allocate "
+        "leaves their tolerances open.",
+        fmt::join(free, ", ")));
+  }
+  result.allocation_cost = cheapest->cost;
 }
 
 void add_allocation(const TolerancedMechanism& toleranced, const Tolerances& tolerances,
@@ -140,19 +177,17 @@ void add_allocation(const TolerancedMechanism& toleranced, const Tolerances& tol
         demands.greatest_nominal() * (angle ? 180 / kPi : 1)));
     return;
   }
-  const std::vector<double> costs = costs_of(toleranced.dimensions, allocation);
-  const auto cheapest = synthesis::cheapest_tolerances(
-      costs, [&](const std::vector<double>& t) { return demands.worst(t); }, power);
-  if (!cheapest) {
-    note_nothing_allocated(result);
-    return;
+  AllocatedCosts to{toleranced.dimensions, costs_of(toleranced.dimensions, allocation), {}};
+  to.influence.assign(toleranced.dimensions.size(), 0.0);
+  for (std::size_t s = 0; s < question.stations.size(); ++s) {
+    const auto rates = table.rates(s, judged);
+    for (std::size_t i = 0; i < rates.size(); ++i) {
+      to.influence[i] = std::max(to.influence[i], norm(rates[i]));
+    }
   }
-  for (std::size_t i = 0; i < costs.size(); ++i) {
-    const double t = cheapest->tolerances[i];
-    result.allocation.push_back({toleranced.dimensions[i].name, t, costs[i] / t});
-  }
-  result.allocation_cost = cheapest->cost;
-  result.allocation_error = limit;
+  allocate(
+      to, [&](const std::vector<double>& t) { return demands.worst(t); }, power, result);
+  if (result.allocation_cost) result.allocation_error = limit;
 }
 
 }  // namespace cognate::problems

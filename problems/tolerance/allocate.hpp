@@ -2,10 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
 
 #include "analysis/tolerance/sensitivity.hpp"
 #include "problems/tolerance/dimensions.hpp"
 #include "problems/tolerance/figures.hpp"
+#include "synthesis/tolerance/allocation.hpp"
 
 namespace cognate::problems {
 
@@ -15,7 +19,19 @@ void add_allocation(const TolerancedMechanism& toleranced, const Tolerances& tol
                     const ToleranceQuestion& question, std::size_t judged,
                     const SensitivityTable& table, ToleranceResult& result);
 
-/// Notes that there are no tolerances of least cost.
-void note_nothing_allocated(ToleranceResult& result);
+/// What tolerances are allocated to.
+struct AllocatedCosts {
+  std::span<const TolerancedDimension> dimensions;
+  std::vector<double> costs;      ///< of each, what the tolerance ±1 costs
+  std::vector<double> influence;  ///< of each: the greatest rate of the error with it
+};
+
+/// The demand that is missed most by given tolerances of all dimensions, or is nearest to it.
+using WorstDemand = std::function<synthesis::ToleranceDemand(const std::vector<double>&)>;
+
+/// Sets the tolerances of least cost and what they cost. Of a dimension without influence the
+/// tolerance is infinite, which a note says; so does one where none has influence.
+void allocate(const AllocatedCosts& to, const WorstDemand& worst, int power,
+              ToleranceResult& result);
 
 }  // namespace cognate::problems

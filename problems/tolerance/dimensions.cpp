@@ -260,7 +260,7 @@ tl::expected<Deviation, std::string> deviation_of(const std::string& name, doubl
   const auto deviation = deviation_mm(grade, length);
   if (!deviation) {
     return tl::unexpected(fmt::format(
-        "{} is {:.6g} mm long, for which {} has no tolerance: it has them for lengths {}", name,
+        "{} is {:.6g} mm long, for which {} has no tolerance; it has them for lengths {}", name,
         length, to_string(grade), sizes_of(grade)));
   }
   return Deviation{*deviation / millimetres, *deviation / millimetres};

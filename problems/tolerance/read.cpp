@@ -12,11 +12,13 @@ namespace cognate::problems::reading {
 namespace {
 
 constexpr std::string_view kToleranceTable = "tolerance";
-constexpr std::string_view kForms = "a number, {plus, minus}, or a grade as \"IT8\" or \"m\"";
 constexpr int kMostSamples = 10'000'000;
 
 constexpr NumberRule kDeviation{[](double x) { return x >= 0 && is_magnitude(x); },
                                 "a length, 0 or from 1e-100 to 1e100"};
+constexpr NumberRule kValue{
+    kDeviation.accepts,
+    "a length, 0 or from 1e-100 to 1e100, {plus, minus}, or a grade as \"IT8\" or \"m\""};
 constexpr NumberRule kCost{is_positive_magnitude, "a factor from 1e-100 to 1e100"};
 constexpr NumberRule kErrorLimit{is_positive_magnitude, "an error from 1e-100 to 1e100"};
 
@@ -36,7 +38,7 @@ std::optional<ToleranceValue> read_value(TableReader& table, std::string_view ke
     sides.finish();
     return deviation;
   }
-  if (const auto both = table.number(key, kDeviation)) return Deviation{*both, *both};
+  if (const auto both = table.number(key, kValue)) return Deviation{*both, *both};
   return std::nullopt;
 }
 
@@ -67,41 +69,40 @@ void read_clearances(TableReader& table, const ToleranceScope& scope, Tolerances
   pins.finish();
 }
 
+/// The limit of an error, under `key` of a length and under that with "_deg" of an angle.
+std::optional<double> read_error_limit(TableReader& table, std::string_view key,
+                                       const ToleranceScope& scope) {
+  const std::string of_angle = fmt::format("{}_deg", key);
+  const bool angle = scope.unit == "deg";
+  const std::string_view right = angle ? of_angle : key, other = angle ? key : of_angle;
+  if (table.has(other)) {
+    table.fault(other,
+                fmt::format("is of {} here; expected {}", angle ? "an angle" : "a length", right));
+  } else if (!table.has(right)) {
+    table.fault(right, "is missing; expected the error that must not be exceeded");
+  }
+  return table.number(right, kErrorLimit);
+}
+
 void read_yield(TableReader& table, const ToleranceScope& scope, Tolerances& tolerances) {
   if (!table.has(kYield)) return;
   TableReader limits = table.table(kYield);
-  for (const std::string_view key : {"max_error", "max_error_deg"}) {
-    if (const auto limit = limits.number(key, kErrorLimit)) {
-      if (tolerances.max_error) {
-        limits.fault(key,
-                     "is given beside max_error; give max_error of a length, or "
-                     "max_error_deg of an angle");
-      }
-      tolerances.max_error = *limit;
-    }
-  }
-  if (!limits.has("max_error") && !limits.has("max_error_deg")) {
-    table.fault(kYield, "limits nothing; expected {max_error = ...}");
-  }
-  const bool angle = scope.unit == "deg";
-  if (limits.has(angle ? "max_error" : "max_error_deg")) {
-    limits.fault(angle ? "max_error" : "max_error_deg",
-                 angle ? "is of an angle here; expected max_error_deg"
-                       : "is of a length here; expected max_error");
-  }
+  if (!table.has_table(kYield)) return;
+  tolerances.max_error = read_error_limit(limits, "max_error", scope);
   limits.finish();
+  if (tolerances.samples == 0) {
+    table.fault(kYield, fmt::format("is a share of samples, of which there are none; expected {} "
+                                    "above 0, or no yield",
+                                    table.name(kSampleCount)));
+  }
 }
 
 void read_allocation(TableReader& table, const ToleranceScope& scope, Tolerances& tolerances) {
   if (!table.has(kAllocate)) return;
   TableReader keys = table.table(kAllocate);
-  const std::string_view limit = scope.unit == "deg" ? "limit_deg" : "limit";
+  if (!table.has_table(kAllocate)) return;
   Allocation allocation;
-  if (const auto value = keys.number(limit, kErrorLimit)) {
-    allocation.limit = *value;
-  } else if (!keys.has(limit)) {
-    keys.fault(limit, "is missing; expected the error that must not be exceeded");
-  }
+  allocation.limit = read_error_limit(keys, "limit", scope).value_or(allocation.limit);
   allocation.basis = keys.choice<AllocationBasis>("by").value_or(allocation.basis);
   TableReader costs = keys.table("cost");
   std::vector<std::string> named = scope.dimensions;

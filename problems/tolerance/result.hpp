@@ -68,7 +68,7 @@ struct ClearanceFigures {
 /// The tolerance that an allocation gives a dimension.
 struct AllocatedTolerance {
   std::string dimension;
-  double tolerance = 0;  ///< ±
+  double tolerance = 0;  ///< ±; infinite where the dimension does not change the error
   double cost = 0;       ///< factor/tolerance
 };
 

@@ -1,19 +1,14 @@
 /// @file What the kernel of the pages leaves out of an analysis: tolerances and layers, which take
 /// longer than an edit may.
 #include "problems/evaluation/layer_figures.hpp"
+#include "problems/evaluation/read_tolerances.hpp"
 #include "problems/evaluation/tolerance_figures.hpp"
-#include "problems/evaluation/tolerance_scope.hpp"
 #include "problems/layers/read.hpp"
-#include "problems/tolerance/read.hpp"
 
 namespace cognate::problems {
 
-reading::ToleranceScope tolerance_scope(const NamedMechanism& /*mechanism*/) {
-  return {};
-}
-
 std::optional<Tolerances> reading::read_tolerances(TableReader& /*document*/,
-                                                   const ToleranceScope& /*scope*/) {
+                                                   const NamedMechanism& /*mechanism*/) {
   return std::nullopt;
 }
 

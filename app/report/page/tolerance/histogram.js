@@ -77,7 +77,7 @@ export function contributionBars({ contributions }, dimensions, allocated, show,
     const limits = own ? (own.plus === own.minus ? `±${number(own.plus, 4)}` : `+${number(own.plus, 4)} −${number(own.minus, 4)}`) : "";
     const bought = allocated.find((one) => one.dimension === dimension);
     return element("div", { class: "contribution", role: "listitem", "data-dimension": dimension, "data-share": share ?? "", title: say("tolerance.sensitivity", { value: number(sensitivity, 4) }) },
-      element("span", { class: "name" }, name(dimension), element("small", {}, limits, ...(bought ? [` → ±${number(bought.tolerance, 4)}`] : []))),
+      element("span", { class: "name" }, name(dimension), element("small", {}, limits, ...(bought ? [` → ${bought.tolerance === null ? say("tolerance.any") : `±${number(bought.tolerance, 4)}`}`] : []))),
       element("span", { class: "track" }, element("span", { class: "bar", style: `width:${round((100 * (amount ?? 0)) / most)}%` })),
       element("span", { class: "number" }, show(amount)), element("span", { class: "number share" }, share === null ? "–" : percent(share, 3)));
   }));
