@@ -207,18 +207,23 @@ class CommandLine(unittest.TestCase):
     def test_check_says_what_the_problem_is(self):
         files = list(LIBRARY.rglob("*.toml"))
         self.assertGreater(len(files), 100)
+        done = run("check", *files)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        lines = done.stdout.splitlines()
+        self.assertEqual(len(lines), len(files))
+        for file, line in zip(files, lines):
+            self.assertTrue(line.startswith(f"{file}: ") and line.endswith("no fault found"), line)
+        self.assertEqual(run("check", *files, "--quiet").stdout, "")
+        rest, decoder = run("check", *files, "--json").stdout, json.JSONDecoder()
         for file in files:
-            with self.subTest(file):
-                done = run("check", file)
-                self.assertEqual((done.returncode, done.stderr), (0, ""))
-                self.assertIn("no fault found", done.stdout)
-                self.assertEqual(run("check", file, "--quiet").stdout, "")
-                document = json.loads(run("check", file, "--json").stdout)
-                self.assertTrue(document["valid"])
-                kind = {"chain": "path", "chain-function": "function", "dwell": "function"}.get(file.parent.name, file.parent.name)
-                if kind in ("function", "motion", "path"):
-                    kind += "-generation"
-                self.assertEqual(document["problem"]["kind"], kind)
+            document, end = decoder.raw_decode(rest)
+            rest = rest[end:].lstrip()
+            self.assertEqual((document["file"], document["valid"]), (str(file), True))
+            kind = {"chain": "path", "chain-function": "function", "dwell": "function"}.get(file.parent.name, file.parent.name)
+            if kind in ("function", "motion", "path"):
+                kind += "-generation"
+            self.assertEqual(document["problem"]["kind"], kind)
+        self.assertEqual(rest, "")
 
     def test_each_command_says_which_other_takes_a_file(self):
         mechanism = LIBRARY / "analysis" / "shaper.toml"

@@ -6,7 +6,7 @@ import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { launch, visit as visitReport } from "./browser.mjs";
+import { launch, some, visit as visitReport } from "./browser.mjs";
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -68,7 +68,7 @@ async function copied(page) {
   return design;
 }
 
-for (const name of ["ellipse", "log10-refined", "three-angle-pairs"]) {
+for (const name of some(["ellipse", "log10-refined", "three-angle-pairs"])) {
   test(`unchanged, ${name} has the errors and metrics of the result`, () => visit(name, async (page) => {
     await edit(page);
     const { designs: [{ error, metrics, constraints }] } = await result(page);
@@ -171,8 +171,8 @@ async function hasFacts(page, facts, column) {
 
 const flat = (table, above) => Object.entries(table).flatMap(([key, part]) => (part !== null && typeof part === "object" && !Array.isArray(part) ? flat(part, `${above}${key}.`) : [{ name: above + key, value: part }]));
 
-for (const [name, joint] of [["library-slider-crank-offset", "C"], ["library-coupler-curve", "P"], ["library-guide-bar-rotating", "B"], ["library-oscillating-block", "D"], ["library-four-bar-forces", "B"],
-  ["library-scotch-yoke", "A"]]) {
+for (const [name, joint] of some([["library-slider-crank-offset", "C"], ["library-coupler-curve", "P"], ["library-guide-bar-rotating", "B"], ["library-oscillating-block", "D"], ["library-four-bar-forces", "B"],
+  ["library-scotch-yoke", "A"]])) {
   test(`${name}: facts unchanged and changed are the program's`, () => visit(name, async (page) => {
     await edit(page);
     await hasFacts(page, await factsOf(page), "before");

@@ -6,7 +6,7 @@ import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { launch, open } from "./browser.mjs";
+import { launch, open, some } from "./browser.mjs";
 
 const LIBRARY = new URL("../../problems/library/", import.meta.url).pathname;
 let browser, folder;
@@ -114,7 +114,7 @@ offset = 4
 roller_radius = 9
 ${MOTION}`;
 
-for (const [file, fields] of [
+for (const [file, fields] of some([
   ["cam/translating-roller", { base_radius: 55, offset: -6.5, roller_radius: 12.25, "motion.0.over_deg": 120, "motion.0.rise": 45 }],
   ["cam/oscillating-smallest", { base_radius: 43, centre_distance: 95, "motion.2.rise_deg": -17, "motion.1.over_deg": 41.5, "constraints.pressure_angle_deg_max": 28 }],
   ["cam/universal-law", { roller_radius: 7, "motion.0.over_deg": 115, base_radius: 40 }],
@@ -122,9 +122,9 @@ for (const [file, fields] of [
   ["cam/oscillating-roller-on-raster", { base_radius: 36 }],
   ["cam/toleranced-roller", { base_radius: 41, "motion.0.rise": 22 }],
   ["conjugate", { base_radius: 48, "motion.0.rise": 18 }],
-]) test(`${file}: an edited cam is the program's`, () => edited(path.basename(file), file === "conjugate" ? CONJUGATE : library(file), fields));
+])) test(`${file}: an edited cam is the program's`, () => edited(path.basename(file), file === "conjugate" ? CONJUGATE : library(file), fields));
 
-for (const [file, fields] of [
+for (const [file, fields] of some([
   ["gear/helical", { teeth: 19, helix_deg: 15, profile_shift: 0.1, "rack.pressure_angle_deg": 22 }],
   ["gear-pair/enumerated-teeth", { "teeth.0": 21, "profile_shift.1": 0.1 }],
   ["gear-pair/standard", { "teeth.0": 23, "profile_shift.0": 0.3, centre_distance: 262 }],
@@ -133,14 +133,14 @@ for (const [file, fields] of [
   ["gear-pair/rack", { pinion_shift: 0.1, backlash: 0.3 }],
   ["gear-pair/bevel", { "teeth.0": 20, "profile_shift.1": -0.1 }],
   ["gear-pair/worm", { starts: 2, diameter_quotient: 9, friction: 0.05 }],
-]) test(`${file}: edited gears are the program's`, () => edited(path.basename(file), library(file), fields));
+])) test(`${file}: edited gears are the program's`, () => edited(path.basename(file), library(file), fields));
 
 // A gear that meshes twice is one; of a gearbox each state follows; a train that was found has its teeth as given.
-for (const [file, fields] of [
+for (const [file, fields] of some([
   ["gear-train/planetary", { "mesh.0.teeth.0": 27, "mesh.1.teeth.1": 87, "mesh.0.efficiency": 0.97, "input.0.torque": 25, "planet.0.inertia": 0.001 }],
   ["gear-train/simpson", { "mesh.0.teeth.0": 30, "mesh.0.teeth.1": 18, "mesh.1.teeth.1": 66, "input.0.speed": 150 }],
   ["gear-train/planetary-search", { "mesh.0.teeth.0": 25 }],
-]) test(`${file}: an edited train is the program's`, () => edited(path.basename(file), library(file), fields));
+])) test(`${file}: an edited train is the program's`, () => edited(path.basename(file), library(file), fields));
 
 // Of Simpson's gearbox the first state is (1 + k + k₂)/k, where k is of the first set and k₂ of the second; the reverse −k₂.
 test("the states of an edited gearbox are chosen, and stay edited", async () => {
@@ -171,11 +171,11 @@ test("the states of an edited gearbox are chosen, and stay edited", async () => 
 // Expressions, tables, a motor's line, a train of gears, a flywheel that is found, starts and stops. The picture of an edited
 // mechanism stays in its frame.
 const machine = (name) => library(`machine/${name}`).replace("../gear-train", `${LIBRARY}gear-train`);
-for (const [name, fields] of [
+for (const [name, fields] of some([
   ["press", { "flywheel.fluctuation": 0.08, crank: 0.11, "motor.line.stall_torque": 950 }],
   ["compressor", { "brake.torque": 30, "link.2.mass": 1.8, "flywheel.inertia": 1.4 }],
   ["planetary-press", { "motor.inertia": 0.04, "motor.train.mesh.0.efficiency": 0.95 }],
-]) test(`${name}: an edited machine is the program's`, () => edited(name, machine(name), fields, ["picture"]));
+])) test(`${name}: an edited machine is the program's`, () => edited(name, machine(name), fields, ["picture"]));
 
 test("a machine that stalls is edited until it runs", async () => {
   const { page, faults, close } = await open(browser, reported("stalled", library("machine/stall"), "analyze"), { motion: "reduce" });

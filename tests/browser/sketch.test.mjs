@@ -9,7 +9,7 @@ import { after, before, test } from "node:test";
 import { promisify } from "node:util";
 import { gzipSync } from "node:zlib";
 import { problemToml } from "../../app/report/page/toml.js";
-import { assertFits, distance, launch, moves, open } from "./browser.mjs";
+import { assertFits, distance, launch, moves, open, some } from "./browser.mjs";
 
 let browser, folder, file, hasKernel;
 before(async () => {
@@ -114,8 +114,8 @@ function misses(design) {
   return design.points.map((p) => Math.min(...chords.map(([q, r]) => distanceToChord(p, q, r))));
 }
 
-for (const [name, at, range] of [["ellipse", ellipse], ["arc", ellipse, [0.4, 3.6]],
-  ["egg", (t) => [0.5 + 0.17 * Math.cos(t) + 0.03 * Math.cos(2 * t), 0.45 - 0.17 * Math.sin(t)]]]) {
+for (const [name, at, range] of some([["ellipse", ellipse], ["arc", ellipse, [0.4, 3.6]],
+  ["egg", (t) => [0.5 + 0.17 * Math.cos(t) + 0.03 * Math.cos(2 * t), 0.45 - 0.17 * Math.sin(t)]]])) {
   test(`of a drawn ${name} designs are found that pass its points within the error`, () => visit({}, async (page) => {
     await draw(page, at, range);
     await settled(page);
@@ -224,7 +224,7 @@ test("the address holds the sketch and its design", () => visit({}, async (page)
   assert.deepEqual(addressOf(page).points, design.points);
 }));
 
-for (const hash of ["#p=1,2;3", "#p=x,y", "#d=1,2", "#p=1,2;3,4;5,6&d=1,2,3", "#p=1,2;3,4;5,9&d=0,0,1,0,1,1,1,0,0,1,1,1;open;x;a", "#%"]) {
+for (const hash of some(["#p=1,2;3", "#p=x,y", "#d=1,2", "#p=1,2;3,4;5,6&d=1,2,3", "#p=1,2;3,4;5,9&d=0,0,1,0,1,1,1,0,0,1,1,1;open;x;a", "#%"])) {
   test(`a damaged address ${hash} does no harm`, () => visit({ hash }, async (page) => {
     assert.ok(await page.locator("#sheet").isVisible());
     await draw(page, ellipse);

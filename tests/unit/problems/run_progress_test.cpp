@@ -18,12 +18,12 @@ namespace {
 /// Runs a problem of the library and checks what it reports as it does; the parts that it names. On
 /// one thread, which reports.
 template <class Problem>
-std::vector<Phase> parts_of(const char* file) {
+std::vector<Phase> parts_of(const char* file, double time_limit = 20) {
   const auto problem = read_task<Problem>(std::filesystem::path(kLibraryFolder) / file);
   EXPECT_TRUE(problem) << file;
   std::vector<Phase> parts;
   double done = 0, end = 1;
-  Run run{.threads = 1, .time_limit = 20.0};
+  Run run{.threads = 1, .time_limit = time_limit};
   run.progress = [&](double share, double) {
     EXPECT_GE(share, done) << file << " falls back";
     EXPECT_FALSE(share > end + 1e-9) << file << " goes on to " << share << " beyond " << end;
@@ -49,7 +49,7 @@ TEST(RunProgress, OfARasterComesAfterThatOfTheSearchBetweenItsValues) {
 }
 
 TEST(RunProgress, OfARobustDesignComesAfterThatOfTheNominalOne) {
-  const Parts parts = parts_of<PathProblem>("path/ellipse-robust.toml");
+  const Parts parts = parts_of<PathProblem>("path/ellipse-robust.toml", 4);
   ASSERT_GE(parts.size(), 2U);
   EXPECT_EQ((Parts{parts[0], parts[1]}), (Parts{Phase::search, Phase::robustness}));
 }
