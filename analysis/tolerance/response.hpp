@@ -20,9 +20,9 @@ struct Station {
 };
 
 /// The angle of a body's first axis, the displacement along a slide, the place of a point, the
-/// transmission angle of a dyad (in [0, π]) or its discriminant, both as DyadClosure has them, or
-/// how far a point lies along a direction.
-enum class ResponseType { angle, displacement, point, transmission, closure, along };
+/// transmission angle of a dyad (in [0, π]) or its discriminant, both as DyadClosure has them, how
+/// far a point lies along a direction, or the direction from one point to another.
+enum class ResponseType { angle, displacement, point, transmission, closure, along, direction };
 
 /// One of these. A displacement is counted along the slide of the nominal mechanism, from the place
 /// in the axes of its body at which that has it.
@@ -31,11 +31,13 @@ struct Response {
   std::size_t index = 0;  ///< of the body, the point of the MechanismWithPoints, or the dyad
   SlidingPair slide;      ///< of a displacement
   Vec2d direction{};      ///< unit vector, of `along`
+  std::size_t to = 0;     ///< of a direction: the point to which it is, `index` being the other
 };
 
 /// Whether the response is an angle, given by a unit vector.
 constexpr bool is_angular(ResponseType type) {
-  return type == ResponseType::angle || type == ResponseType::transmission;
+  return type == ResponseType::angle || type == ResponseType::transmission ||
+         type == ResponseType::direction;
 }
 
 /// A changed mechanism over T and its state.
@@ -56,20 +58,22 @@ class ChangedMechanism {
                 std::span<BodyMotion<T, 0>>(bodies_), std::span<DyadClosure<T>>(closures_));
   }
 
-  /// Of an angle its unit vector, of a displacement (s, 0), of a point its place.
+  /// Of an angle or direction its unit vector, of a displacement (s, 0), of a point its place.
   Vec2<T> value(const Response& response) const {
     switch (response.type) {
       case ResponseType::angle:
         return bodies_[response.index].direction;
       case ResponseType::displacement:
         return displacement(response.slide);
-      case ResponseType::point: {
-        const Attached<T>& point = changed_.points[response.index];
-        return place(point.body, point.at);
-      }
-      case ResponseType::along: {
-        const Attached<T>& point = changed_.points[response.index];
-        return {dot(place(point.body, point.at), lifted(response.direction)), T(0)};
+      case ResponseType::point:
+        return point(response.index);
+      case ResponseType::along:
+        return {dot(point(response.index), lifted(response.direction)), T(0)};
+      case ResponseType::direction: {
+        using std::sqrt;
+        const Vec2<T> way = point(response.to) - point(response.index);
+        const T length = sqrt(squared_norm(way));
+        return {way.x / length, way.y / length};
       }
       case ResponseType::transmission: {
         const DyadClosure<T>& closure = closures_[response.index];
@@ -87,6 +91,9 @@ class ChangedMechanism {
   Vec2<T> place(int body, const Vec2<T>& at) const {
     const BodyMotion<T, 0>& motion = bodies_[static_cast<std::size_t>(body)];
     return motion.origin[0] + motion.direction * at;
+  }
+  Vec2<T> point(std::size_t index) const {
+    return place(changed_.points[index].body, changed_.points[index].at);
   }
   static Vec2<T> lifted(const Vec2d& v) { return {T(v.x), T(v.y)}; }
 

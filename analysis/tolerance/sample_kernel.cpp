@@ -81,14 +81,21 @@ class Pack {
     const auto& motion = bodies_[static_cast<std::size_t>(body)];
     return motion.origin[0] + motion.direction * at;
   }
+  Vec2<T> point(int index) const {
+    const Attached<T>& point = points_[static_cast<std::size_t>(index)];
+    return place(point.body, point.at);
+  }
   static Vec2<T> lifted(const Vec2d& v) { return {T(v.x), T(v.y)}; }
 
   Vec2<T> value_of(const BlockOutput& output) const {
     const auto body = static_cast<std::size_t>(output.body);
     switch (output.of) {
-      case BlockOutput::Of::point: {
-        const Attached<T>& point = points_[static_cast<std::size_t>(output.point)];
-        return place(point.body, point.at);
+      case BlockOutput::Of::point:
+        return point(output.point);
+      case BlockOutput::Of::direction: {
+        const Vec2<T> way = point(output.to) - point(output.point);
+        const T inverse = T(1) / sqrt(squared_norm(way));
+        return {way.x * inverse, way.y * inverse};
       }
       case BlockOutput::Of::displacement: {
         const auto& guide = bodies_[static_cast<std::size_t>(output.guide)];
@@ -96,10 +103,8 @@ class Pack {
         const Vec2<T> from = place(output.guide, lifted(output.through));
         return {dot(bodies_[body].origin[0] - from, along), T(0)};
       }
-      case BlockOutput::Of::along: {
-        const Attached<T>& point = points_[static_cast<std::size_t>(output.point)];
-        return {dot(place(point.body, point.at), lifted(output.along)), T(0)};
-      }
+      case BlockOutput::Of::along:
+        return {dot(point(output.point), lifted(output.along)), T(0)};
       case BlockOutput::Of::transmission:
         return {closures_[body].cosine + T(0) * closures_[body].sine,
                 sides_[body] * closures_[body].sine};

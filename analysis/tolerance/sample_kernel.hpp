@@ -14,9 +14,10 @@ inline constexpr std::size_t kBlockSamples = 64;
 /// One response of a block. Its values are columns of `kBlockSamples`, x and y one for each
 /// station.
 struct BlockOutput {
-  enum class Of { angle, displacement, point, transmission, along } of = Of::angle;
+  enum class Of { angle, displacement, point, transmission, along, direction } of = Of::angle;
   int body = 0;          ///< or the dyad of a transmission angle, or the slider
   int point = 0;         ///< index of a point
+  int to = 0;            ///< of a direction: index of the point to which it is
   int guide = 0;         ///< of a displacement: the body with the slide, and the slide in its axes
   Vec2d through, along;  ///< `along` also of how far a point lies in that direction
   double *x = nullptr, *y = nullptr;

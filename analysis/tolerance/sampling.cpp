@@ -72,6 +72,9 @@ BlockOutput block_output(const Response& response) {
       return {.of = BlockOutput::Of::point, .point = index};
     case ResponseType::along:
       return {.of = BlockOutput::Of::along, .point = index, .along = response.direction};
+    case ResponseType::direction:
+      return {
+          .of = BlockOutput::Of::direction, .point = index, .to = static_cast<int>(response.to)};
     case ResponseType::transmission:
       return {.of = BlockOutput::Of::transmission, .body = index};
     case ResponseType::angle:

@@ -37,8 +37,8 @@ std::string exact(const ToleranceFigures& figures) {
 /// and whose quantiles descend, what they do not fall below.
 std::string quantile(const ToleranceFigures& figures, double share) {
   for (const auto& one : figures.quantiles) {
-    if (one.share != share) continue;
-    const bool descends = figures.quantiles.front().error > figures.quantiles.back().error;
+    if (one.share != share || !std::isfinite(one.error)) continue;
+    const bool descends = figures.quantiles.front().error > one.error;
     return (descends ? "≥ " : "") + number(one.error);
   }
   return "–";

@@ -211,7 +211,8 @@ void sample(const ChangedCam& cam, const Tolerances& tolerances, const std::vect
   }
   note_open(result);
   set_yield(tolerances, figures.angle, all.extremes, result);
-  set_extremes_of_samples(ResponseType::displacement, std::move(all.extremes), figures);
+  set_extremes_of_samples(ResponseType::displacement, std::move(all.extremes), result.samples,
+                          figures);
 }
 
 void allocate(const ChangedCam& cam, const Tolerances& tolerances,

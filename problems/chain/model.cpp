@@ -119,7 +119,7 @@ bool ChainPathModel::residuals(std::span<const double> x, std::span<double> r,
     if (!is_finite(error)) return false;
     r[2 * j] = error.x;
     r[2 * j + 1] = error.y;
-    if (jacobian.empty()) continue;
+    if (jacobian.empty() && local.empty()) continue;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       double* row = jacobian.data() + (2 * j + axis) * columns;
       const Vec2d direction = axis == 0 ? Vec2d{weight, 0} : Vec2d{0, weight};

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
+#include "problems/chain/ordered_angles.hpp"
 #include "problems/chain/placed_fit.hpp"
 #include "problems/chain/placed_starts.hpp"
 #include "problems/chain/raster_axes.hpp"
@@ -56,19 +58,17 @@ class ChainRaster final : public synthesis::RasterTask {
     return minima;
   }
 
-  /// Of a target that may be moved its place and the crank are found first, the dimensions fixed,
-  /// from the nearest design known.
+  /// From the minima known, and from wherever the crank may be at the points.
   std::vector<RasterPoint> evaluate(const RasterNumbers& at,
                                     std::span<const RasterPoint> from) const override {
-    if (!scaled_.is_movable) return RasterTask::evaluate(at, from);
-    const auto apart = [&](const RasterPoint& point) { return distance(point, at); };
-    const auto nearest = std::ranges::min_element(from, {}, apart);
-    if (nearest == from.end()) return {};
-    PlacedChain chain = placed(*nearest);
-    set_numbers(all_, at, chain.design);
-    fit_place(scaled_, chain);
-    if (!std::isfinite(chain.objective)) return {};
-    return RasterTask::evaluate(at, std::array{point(chain)});
+    if (scaled_.is_movable) return evaluate_moved(at, from);
+    std::vector<RasterPoint> starts(from.begin(), from.end());
+    for (const synthesis::ChainDesign& design : designs_at(at, from)) {
+      for (auto& angles : scaled_.timed() ? phases() : ordered_angles(scaled_, design)) {
+        starts.push_back(point_of({design, std::move(angles), {}}));
+      }
+    }
+    return RasterTask::evaluate(at, starts);
   }
 
   bool accepts(const RasterPoint& point) const override { return accepts_(chain(point)); }
@@ -93,6 +93,49 @@ class ChainRaster final : public synthesis::RasterTask {
   }
 
  private:
+  static std::vector<std::vector<double>> phases() {
+    constexpr int kPhases = 8;
+    std::vector<std::vector<double>> all;
+    for (int k = 0; k < kPhases; ++k) all.push_back({kTurn * k / kPhases});
+    return all;
+  }
+
+  /// The designs of a combination: where the raster leaves a dimension free those of `from`, else
+  /// one for each assembly that the file allows.
+  std::vector<synthesis::ChainDesign> designs_at(const RasterNumbers& at,
+                                                 std::span<const RasterPoint> from) const {
+    std::vector<synthesis::ChainDesign> designs;
+    for (const RasterPoint& point : from) {
+      designs.push_back(design_of(point));
+      set_numbers(all_, at, designs.back());
+      if (scaled_.free.size() == all_.axes.size()) break;
+    }
+    if (designs.empty() || scaled_.free.size() > all_.axes.size()) return designs;
+    for (std::size_t i = 0; i < scaled_.lines.size(); ++i) {
+      if (!is_dyad(scaled_.lines[i].line.type) || scaled_.topology->lines[i].assembly) continue;
+      const std::size_t count = designs.size();
+      for (std::size_t k = 0; k < count; ++k) {
+        designs.push_back(designs[k]);
+        designs.back().side[i] *= -1;
+      }
+    }
+    return designs;
+  }
+
+  /// Of a target that may be moved its place and the crank are found first, the dimensions fixed,
+  /// from the nearest design known.
+  std::vector<RasterPoint> evaluate_moved(const RasterNumbers& at,
+                                          std::span<const RasterPoint> from) const {
+    const auto apart = [&](const RasterPoint& point) { return distance(point, at); };
+    const auto nearest = std::ranges::min_element(from, {}, apart);
+    if (nearest == from.end()) return {};
+    PlacedChain chain = placed(*nearest);
+    set_numbers(all_, at, chain.design);
+    fit_place(scaled_, chain);
+    if (!std::isfinite(chain.objective)) return {};
+    return RasterTask::evaluate(at, std::array{point(chain)});
+  }
+
   PlacedChain placed(const RasterPoint& point) const {
     return {design_of(point), angles_of(point), place_of(point), point.objective};
   }

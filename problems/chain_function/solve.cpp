@@ -46,11 +46,8 @@ std::optional<ToleranceQuestion> function_question(const ChainFunctionProblem& p
   const double start = *design.metrics.input_start;
   std::vector<double> angles;
   for (const auto& pair : wanted.samples) angles.push_back(start + pair.input);
-  auto asked =
-      slides(problem)
-          ? displacement_question(design.mechanism, problem.output[1],
-                                  guide_of(design.mechanism, problem.output[1])->direction, angles)
-          : output_question(design.mechanism, problem.output, angles);
+  auto asked = slides(problem) ? displacement_question(design.mechanism, problem.output[1], angles)
+                               : output_question(design.mechanism, problem.output, angles);
   if (!asked) return std::nullopt;
   const ChainFunctionError error(problem, wanted, design.mechanism, start);
   auto& output = asked->question.quantities.front();

@@ -89,11 +89,8 @@ std::optional<ToleranceQuestion> dwell_question(const DwellProblem& problem, con
       angles.push_back(design.crank_angles[k] + problem.dwells[k / 2].over * i / kSteps);
     }
   }
-  auto asked =
-      slides(problem)
-          ? displacement_question(design.mechanism, problem.output[1],
-                                  guide_of(design.mechanism, problem.output[1])->direction, angles)
-          : output_question(design.mechanism, problem.output, angles);
+  auto asked = slides(problem) ? displacement_question(design.mechanism, problem.output[1], angles)
+                               : output_question(design.mechanism, problem.output, angles);
   if (!asked) return std::nullopt;
   const auto& way = asked->way;
   auto& output = asked->question.quantities.front();

@@ -13,7 +13,7 @@ namespace cognate::problems::reading {
 inline constexpr std::string_view kLayersTable = "layers", kLinkWidths = "widths";
 
 inline constexpr NumberRule kPlayRule{[](double x) { return x >= 0 && is_magnitude(x); },
-                                      "a length, 0 or from 1e-100 to 1e100,"};
+                                      "a length, 0 or from 1e-100 to 1e100"};
 
 inline constexpr std::array kLayerKeys{
     key<&LayerSizes::link_width>("link_width", "of every link, which has round ends", kLength),

@@ -116,6 +116,24 @@ std::vector<std::string> pin_names(const NamedMechanism& mechanism) {
   return pins;
 }
 
+std::optional<int> common_body(const Mechanism<double>& mechanism, const Attached<double>& a,
+                               const Attached<double>& b) {
+  const Pins all = pins_of(mechanism, joints(mechanism));
+  const auto bodies_of = [&](const Attached<double>& point) {
+    std::vector<int> bodies{point.body};
+    for (const Pin& pin : all.pins) {
+      if (!lies_on(point, pin)) continue;
+      for (const Attached<double>& place : pin) bodies.push_back(place.body);
+    }
+    return bodies;
+  };
+  const std::vector<int> of_a = bodies_of(a), of_b = bodies_of(b);
+  for (const int body : of_a) {
+    if (body != 0 && std::ranges::find(of_b, body) != of_b.end()) return body;
+  }
+  return std::nullopt;
+}
+
 std::vector<std::string> dyad_names(const NamedMechanism& mechanism) {
   const JointList list = joints(mechanism.mechanism);
   const auto names = joint_names(mechanism);

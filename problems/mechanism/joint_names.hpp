@@ -1,6 +1,7 @@
 /// @file The names of a mechanism's joints.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,11 @@ std::vector<std::string> joint_names(const NamedMechanism& mechanism);
 
 /// The names of the turning joints, each once.
 std::vector<std::string> pin_names(const NamedMechanism& mechanism);
+
+/// A moving body on which both points are fixed, a pin being fixed on every body that it joins;
+/// empty where there is none.
+std::optional<int> common_body(const Mechanism<double>& mechanism, const Attached<double>& a,
+                               const Attached<double>& b);
 
 /// One name for each dyad: of RRR that of its inner joint, else of its second body (the slider, the
 /// bar).

@@ -13,24 +13,49 @@
 namespace cognate::problems {
 namespace {
 
-/// A unit load on what is judged; of a point one along each axis.
-std::vector<Load> unit_loads(const NamedMechanism& mechanism, const Response& response,
-                             std::span<const BodyMotion<double, 1>> bodies) {
+using Loads = std::vector<Load>;
+
+/// What works as a unit moment on the direction between two points: a moment on the body of both,
+/// else a couple.
+Loads unit_moment(const Mechanism<double>& mechanism, const Attached<double>& from,
+                  const Attached<double>& to, std::span<const BodyMotion<double, 1>> bodies) {
+  if (const auto body = common_body(mechanism, from, to)) {
+    return {{.at = {*body, {}}, .force = {}, .torque = 1}};
+  }
+  const auto place = [&](const Attached<double>& point) {
+    const auto& body = bodies[static_cast<std::size_t>(point.body)];
+    return body.origin[0] + body.direction * point.at;
+  };
+  const Vec2d way = place(to) - place(from);
+  const Vec2d force = (1 / squared_norm(way)) * perp(way);
+  Loads loads;
+  if (to.body != 0) loads.push_back({.at = to, .force = force, .torque = 0});
+  if (from.body != 0) loads.push_back({.at = from, .force = -1.0 * force, .torque = 0});
+  return loads;
+}
+
+/// Unit loads on what is judged; of a point one along each axis.
+std::vector<Loads> unit_loads(const NamedMechanism& mechanism, const Response& response,
+                              std::span<const BodyMotion<double, 1>> bodies) {
   switch (response.type) {
     case ResponseType::angle:
-      return {{.at = {static_cast<int>(response.index), {}}, .force = {}, .torque = 1}};
+      return {{{.at = {static_cast<int>(response.index), {}}, .force = {}, .torque = 1}}};
+    case ResponseType::direction:
+      return {unit_moment(mechanism.mechanism, mechanism.points[response.index].at,
+                          mechanism.points[response.to].at, bodies)};
     case ResponseType::displacement: {
       const auto& guide = bodies[static_cast<std::size_t>(response.slide.through.body)];
-      return {{.at = {response.slide.slider, {}},
-               .force = guide.direction * response.slide.direction,
-               .torque = 0}};
+      return {{{.at = {response.slide.slider, {}},
+                .force = guide.direction * response.slide.direction,
+                .torque = 0}}};
     }
     case ResponseType::along:
       return {
-          {.at = mechanism.points[response.index].at, .force = response.direction, .torque = 0}};
+          {{.at = mechanism.points[response.index].at, .force = response.direction, .torque = 0}}};
     case ResponseType::point: {
       const Attached<double>& at = mechanism.points[response.index].at;
-      return {{.at = at, .force = {1, 0}, .torque = 0}, {.at = at, .force = {0, 1}, .torque = 0}};
+      return {{{.at = at, .force = {1, 0}, .torque = 0}},
+              {{.at = at, .force = {0, 1}, .torque = 0}}};
     }
     default:
       return {};
@@ -55,7 +80,7 @@ class UnitReactions {
     const auto loads = unit_loads(mechanism_, response, bodies_);
     for (std::size_t k = 0; k < loads.size(); ++k) {
       const bool found = dynamics_.solve<1>(std::span<const BodyMotion<double, 1>>(bodies_), {},
-                                            std::span(&loads[k], 1), forces_[k]);
+                                            std::span<const Load>(loads[k]), forces_[k]);
       if (!found) return 0;
     }
     return loads.size();

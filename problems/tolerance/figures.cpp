@@ -189,7 +189,8 @@ void note_nonlinear(const ToleranceFigures& figures, std::vector<std::string>& n
   const PositionFigures& at = figures.positions[figures.worst_exact];
   if (!figures.exact || !std::isfinite(at.high)) return;
   const double exact = figures.is_point ? at.high : std::max(at.high, -at.low);
-  if (!(std::abs(exact - at.linear) > kNonlinear * exact)) return;
+  // Where nothing is left of the exact one, the tolerances are rounding of the dimensions.
+  if (!(exact > 0) || !(std::abs(exact - at.linear) > kNonlinear * exact)) return;
   notes.push_back(fmt::format(
       "{}: the worst case of first order is {:+.1f} % off the exact one where that is greatest; "
       "trust the exact figures",

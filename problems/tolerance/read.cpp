@@ -166,9 +166,9 @@ ToleranceScope guide_bar_scope() {
 
 std::optional<Tolerances> read_tolerances(TableReader& document, const ToleranceScope& scope) {
   if (!document.has(kToleranceTable)) return std::nullopt;
+  const std::size_t before = document.faults().size();
   TableReader table = document.table(kToleranceTable);
   Tolerances tolerances;
-  const std::size_t before = table.faults().size();
   tolerances.length = read_value(table, kLengthTolerance);
   read_grade(table, tolerances);
   if (scope.has_pivots) tolerances.pivots = read_value(table, kPivotTolerance);

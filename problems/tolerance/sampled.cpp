@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -41,15 +42,16 @@ std::vector<JudgedResponse> judged_responses(const TolerancedMechanism& toleranc
   return judged;
 }
 
-/// The values of which `share` of them are no greater; `values` are sorted.
-double quantile(const std::vector<double>& values, double share) {
-  const double place = std::ceil(share * static_cast<double>(values.size()));
+/// The value that no more than so large a share of `samples` exceed, of which those that are not
+/// among the sorted `values` do; not a number where these are too many.
+double quantile(const std::vector<double>& values, double share, std::size_t samples) {
+  const double place = std::ceil(share * static_cast<double>(samples));
   const auto index = static_cast<std::size_t>(std::max(place, 1.0)) - 1;
-  return values[std::min(index, values.size() - 1)];
+  return index < values.size() ? values[index] : std::numeric_limits<double>::quiet_NaN();
 }
 
 void add_histogram(const std::vector<double>& sorted, ToleranceFigures& figures) {
-  const double least = sorted.front(), greatest = quantile(sorted, 0.9999);
+  const double least = sorted.front(), greatest = quantile(sorted, 0.9999, sorted.size());
   const double width = (greatest - least) / static_cast<double>(kBins);
   if (!(width > 0)) return;
   figures.histogram.assign(kBins, 0);
@@ -72,7 +74,7 @@ void note_open(ToleranceResult& result) {
       fmt::format("{:.3g} % of the samples cannot be assembled at every position", 100 * open));
 }
 
-void set_extremes_of_samples(ResponseType type, std::vector<double> extremes,
+void set_extremes_of_samples(ResponseType type, std::vector<double> extremes, std::size_t samples,
                              ToleranceFigures& figures) {
   if (extremes.empty()) return;
   const bool acute = type == ResponseType::transmission;
@@ -85,7 +87,7 @@ void set_extremes_of_samples(ResponseType type, std::vector<double> extremes,
   add_histogram(extremes, figures);
   if (acute) std::ranges::reverse(extremes);
   for (const double share : kShares) {
-    figures.quantiles.push_back({share, quantile(extremes, share)});
+    figures.quantiles.push_back({share, quantile(extremes, share, samples)});
   }
 }
 
@@ -133,7 +135,7 @@ void add_samples(const TolerancedMechanism& toleranced, const Tolerances& tolera
       set_yield(tolerances, figures.angle, drawn.responses[q].extremes, result);
     }
     set_extremes_of_samples(question.quantities[q].response.type,
-                            std::move(drawn.responses[q].extremes), figures);
+                            std::move(drawn.responses[q].extremes), drawn.samples, figures);
   }
 }
 

@@ -26,7 +26,7 @@ constexpr bool is_magnitude(double x) {
   return x == 0 || is_positive_magnitude(x < 0 ? -x : x);
 }
 
-inline constexpr NumberRule kNumber{is_magnitude, "a number, 0 or of magnitude 1e-100 to 1e100,"};
+inline constexpr NumberRule kNumber{is_magnitude, "a number, 0 or of magnitude 1e-100 to 1e100"};
 
 inline constexpr NumberRule kLength{is_positive_magnitude, "a length from 1e-100 to 1e100"};
 
@@ -60,7 +60,7 @@ inline constexpr NumberRule kTransmissionAngle{[](double x) { return x >= 0 && x
                                                "an angle in degrees from 0 to 180"};
 
 inline constexpr NumberRule kWeight{[](double x) { return x >= 0 && is_magnitude(x); },
-                                    "a weight, 0 or from 1e-100 to 1e100,"};
+                                    "a weight, 0 or from 1e-100 to 1e100"};
 
 inline constexpr NumberRule kRatio{[](double x) { return x >= 1 && x <= kGreatestMagnitude; },
                                    "a ratio from 1 to 1e100"};

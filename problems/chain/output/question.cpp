@@ -1,5 +1,9 @@
 #include "problems/chain/output/question.hpp"
 
+#include <algorithm>
+#include <utility>
+#include <variant>
+
 namespace cognate::problems {
 namespace {
 
@@ -18,6 +22,14 @@ OutputQuestion asked(const NamedMechanism& mechanism, ToleranceQuestion question
   return asked;
 }
 
+/// The body of the slider with this pin, not that of the link that is pinned to it.
+std::optional<int> slider_of(const NamedMechanism& mechanism, const std::string& pin) {
+  const auto& dyads = std::get<ChainDescription>(mechanism.description).dyads;
+  const auto found = std::ranges::find(dyads, pin, &DyadDescription::new_point);
+  if (found == dyads.end() || found->type != DyadType::rrp) return std::nullopt;
+  return first_body(mechanism.mechanism, static_cast<int>(found - dyads.begin())) + 1;
+}
+
 }  // namespace
 
 std::optional<OutputQuestion> output_question(const NamedMechanism& mechanism,
@@ -28,20 +40,18 @@ std::optional<OutputQuestion> output_question(const NamedMechanism& mechanism,
   const auto second = point_response(mechanism, output[1]);
   if (!first || !second || kept.size() != angles.size()) return std::nullopt;
   ToleranceQuantity angle{.name = "output", .judged = true};
-  const int body = mechanism.points[second->index].at.body;
-  angle.response = {.type = ResponseType::angle, .index = static_cast<std::size_t>(body)};
+  angle.response = {.type = ResponseType::direction, .index = first->index, .to = second->index};
   return asked(mechanism, std::move(question), std::move(angle));
 }
 
 std::optional<OutputQuestion> displacement_question(const NamedMechanism& mechanism,
-                                                    const std::string& pin, const Vec2d& direction,
+                                                    const std::string& pin,
                                                     const std::vector<double>& angles) {
   auto [question, kept] = question_at(mechanism, angles);
-  auto response = point_response(mechanism, pin);
-  if (!response || kept.size() != angles.size()) return std::nullopt;
-  response->type = ResponseType::along;
-  response->direction = direction;
-  ToleranceQuantity displacement{.name = "output", .response = *response, .judged = true};
+  const auto slider = slider_of(mechanism, pin);
+  if (!slider || kept.size() != angles.size()) return std::nullopt;
+  ToleranceQuantity displacement{
+      .name = "output", .response = travel_response(mechanism.mechanism, *slider), .judged = true};
   return asked(mechanism, std::move(question), std::move(displacement));
 }
 

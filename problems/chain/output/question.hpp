@@ -22,9 +22,9 @@ std::optional<OutputQuestion> output_question(const NamedMechanism& mechanism,
                                               const std::array<std::string, 2>& output,
                                               const std::vector<double>& angles);
 
-/// The same for the displacement of the point called `pin` along `direction`, a unit vector.
+/// The same for the displacement of the slider whose pin has this name, along its guide.
 std::optional<OutputQuestion> displacement_question(const NamedMechanism& mechanism,
-                                                    const std::string& pin, const Vec2d& direction,
+                                                    const std::string& pin,
                                                     const std::vector<double>& angles);
 
 }  // namespace cognate::problems

@@ -62,6 +62,10 @@ TEST(ToleranceLimits, ASampleWithoutALengthIsNotAssembled) {
   const double lost = 1 - static_cast<double>(result.assembled) / 100000;
   const double share = 0.5 * std::erfc(3 / 0.99 / std::sqrt(2.0));
   EXPECT_NEAR(lost, share, 4 * std::sqrt(share / 100000));
+  // Of which no quantile beyond is one: worse than any error, they are a share of 0.0012.
+  for (const Quantile& quantile : result.quantities.at(0).quantiles) {
+    EXPECT_EQ(std::isfinite(quantile.error), quantile.share < 1 - share) << quantile.share;
+  }
 }
 
 TEST(ToleranceLimits, AWorstCaseThatOnePositionHasNotIsNone) {

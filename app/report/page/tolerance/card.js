@@ -102,7 +102,7 @@ export class ToleranceCard {
     const rows = [["tolerance.linear", at(`±${valueText(quantity.linear, quantity)}`, quantity.linear_at)],
       ...(quantity.exact ? [["tolerance.exact", at(`${valueText(quantity.exact[0], quantity)} … ${valueText(quantity.exact[1], quantity)}`, quantity.exact_at)]] : []),
       ["tolerance.rss", valueText(quantity.rss, quantity)],
-      ...(q99 ? [[isTransmission(quantity) ? "tolerance.q99_transmission" : "tolerance.q99", valueText(q99.error, quantity)]] : []),
+      ...(q99 && q99.error !== null ? [[isTransmission(quantity) ? "tolerance.q99_transmission" : "tolerance.q99", valueText(q99.error, quantity)]] : []),
       ...(quantity.judged && tolerance.yield !== undefined ? [["tolerance.yield", say("tolerance.percent", { value: number(100 * tolerance.yield, 4) })]] : []),
       ...(quantity.judged && tolerance.clearance_linear !== undefined ? [["tolerance.clearance", valueText(tolerance.clearance_linear, quantity)]] : []),
       ...(tolerance.samples ? [["tolerance.samples", say("tolerance.assembled", { n: tolerance.samples, assembled: tolerance.assembled.toLocaleString() })]] : [])];

@@ -27,7 +27,7 @@ export class Histogram {
   #draw() {
     const { quantity: { histogram: { edges, counts }, quantiles = [] }, unit, limit } = this.drawn;
     const width = this.width = this.holder.clientWidth || 320;
-    const marks = [...quantiles.filter(({ share }) => MARKED.includes(share)).map(({ share, error }) => [percent(share), error, ""]), ...(limit === undefined ? [] : [[say("tolerance.limit"), limit, "limit"]])];
+    const marks = [...quantiles.filter(({ share, error }) => MARKED.includes(share) && error !== null).map(({ share, error }) => [percent(share), error, ""]), ...(limit === undefined ? [] : [[say("tolerance.limit"), limit, "limit"]])];
     const [low, high] = [Math.min(edges[0], ...marks.map(([, at]) => at)), Math.max(edges.at(-1), ...marks.map(([, at]) => at))];
     const x = (value) => BOX.left + ((width - BOX.left - BOX.right) * (value - low)) / (high - low);
     const foot = BOX.height - BOX.bottom;

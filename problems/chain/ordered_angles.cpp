@@ -1,0 +1,127 @@
+#include "problems/chain/ordered_angles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
+#include "synthesis/chain/sweep.hpp"
+
+namespace cognate::problems {
+namespace {
+
+constexpr std::size_t kLeastSteps = 72, kStepsOfAPoint = 4;
+constexpr std::size_t kBeginnings = 2;  ///< of each sense
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
+std::vector<Vec2d> curve_of(const ScaledChain& problem, const synthesis::ChainDesign& design,
+                            std::size_t steps) {
+  const std::vector<double> side(design.side.begin(), design.side.end());
+  const synthesis::ChainView<double> view{problem.lines.data(),
+                                          static_cast<int>(problem.lines.size()),
+                                          design.parameters.data(), side.data()};
+  synthesis::ChainPlace<double> place;
+  std::vector<Vec2d> curve;
+  for (std::size_t i = 0; i < steps; ++i) {
+    synthesis::place(view, unit_vector(kTurn * double(i) / double(steps)), place);
+    curve.push_back(place.at[problem.topology->trace]);
+  }
+  return curve;
+}
+
+/// Steps in order for one sense of the crank.
+class InOrder {
+ public:
+  InOrder(const std::vector<Vec2d>& points, const std::vector<Vec2d>& curve, bool clockwise)
+      : points_(points), curve_(curve), clockwise_(clockwise), least_(curve.size()) {}
+
+  /// The angles from each of the best beginnings.
+  void add_best(std::vector<std::vector<double>>& all) {
+    const std::size_t stride = std::max<std::size_t>(1, curve_.size() / kLeastSteps);
+    std::vector<std::pair<double, std::size_t>> sums;
+    for (std::size_t begin = 0; begin < curve_.size(); begin += stride) {
+      sums.emplace_back(least_sum(begin), begin);
+    }
+    std::vector<std::pair<double, std::size_t>> valleys;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      const double before = sums[(i + sums.size() - 1) % sums.size()].first;
+      const double after = sums[(i + 1) % sums.size()].first;
+      if (std::isfinite(sums[i].first) && sums[i].first <= before && sums[i].first < after) {
+        valleys.push_back(sums[i]);
+      }
+    }
+    std::ranges::sort(valleys);
+    for (std::size_t i = 0; i < std::min(kBeginnings, valleys.size()); ++i) {
+      all.push_back(angles(valleys[i].second));
+    }
+  }
+
+ private:
+  double square(std::size_t point, std::size_t step) const {
+    const std::size_t count = curve_.size();
+    const double away =
+        squared_norm(curve_[clockwise_ ? (count - step) % count : step % count] - points_[point]);
+    return std::isfinite(away) ? away : kNone;
+  }
+
+  /// With the first point at step `begin` and each other at a later one, within a turn. least_[k]:
+  /// of the points so far with the last of them no later than k steps on.
+  double least_sum(std::size_t begin) {
+    std::ranges::fill(least_, square(0, begin));
+    for (std::size_t point = 1; point < points_.size(); ++point) {
+      double earlier = kNone, best = kNone;
+      for (std::size_t k = 0; k < least_.size(); ++k) {
+        best = std::min(best, earlier + square(point, begin + k));
+        earlier = least_[k];
+        least_[k] = best;
+      }
+    }
+    return least_.back();
+  }
+
+  /// The steps of the least sum, last point first.
+  std::vector<double> angles(std::size_t begin) {
+    std::vector<std::vector<double>> tables{std::vector(curve_.size(), square(0, begin))};
+    for (std::size_t point = 1; point < points_.size(); ++point) {
+      std::vector<double> next(curve_.size(), kNone);
+      for (std::size_t k = 1; k < next.size(); ++k) {
+        next[k] = std::min(next[k - 1], tables.back()[k - 1] + square(point, begin + k));
+      }
+      tables.push_back(std::move(next));
+    }
+    std::vector<double> found(points_.size());
+    std::size_t k = curve_.size() - 1;
+    for (std::size_t point = points_.size() - 1; point > 0; --point) {
+      while (k > 1 && tables[point][k - 1] <= tables[point][k]) --k;
+      found[point] = angle(begin + k);
+      --k;
+    }
+    found[0] = angle(begin);
+    return found;
+  }
+
+  double angle(std::size_t step) const {
+    return (clockwise_ ? -kTurn : kTurn) * double(step) / double(curve_.size());
+  }
+
+  const std::vector<Vec2d>& points_;
+  const std::vector<Vec2d>& curve_;
+  bool clockwise_;
+  std::vector<double> least_;
+};
+
+}  // namespace
+
+std::vector<std::vector<double>> ordered_angles(const ScaledChain& problem,
+                                                const synthesis::ChainDesign& design) {
+  const std::size_t steps = std::max(kLeastSteps, kStepsOfAPoint * problem.points.size());
+  const std::vector<Vec2d> curve = curve_of(problem, design, steps);
+  std::vector<std::vector<double>> all;
+  for (const bool clockwise : {false, true}) {
+    InOrder(problem.points, curve, clockwise).add_best(all);
+  }
+  return all;
+}
+
+}  // namespace cognate::problems

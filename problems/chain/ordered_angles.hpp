@@ -1,0 +1,17 @@
+/// @file Where the crank of a chain is at points that are not timed, its dimensions being fixed.
+#pragma once
+
+#include <vector>
+
+#include "problems/chain/scaled.hpp"
+
+namespace cognate::problems {
+
+/// Crank angles from which the points of `problem` can be refined: at equal steps of the crank
+/// those with the least sum of squared distances that pass all points in order, once round at most,
+/// for each sense of the crank the best where it begins and the next best (dynamic programming,
+/// Bellman 1957). Empty where the chain can be assembled at too few steps.
+std::vector<std::vector<double>> ordered_angles(const ScaledChain& problem,
+                                                const synthesis::ChainDesign& design);
+
+}  // namespace cognate::problems
