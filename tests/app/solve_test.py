@@ -60,7 +60,7 @@ def refuse_constant(name):
 
 # Seconds for each worked problem: a search that is cut goes all the same ways, and tests of the kinds
 # let the long ones end.
-BOUND = "0.4"
+BOUND = "0.25"
 
 
 def parse(text):
