@@ -1,10 +1,10 @@
+#include "problems/layers/read.hpp"
 
 #include "problems/chain/read_design.hpp"
 #include "problems/chain/read_tolerances.hpp"
 #include "problems/chain_function/verify.hpp"
 #include "problems/function/read_goal.hpp"
 #include "problems/function/read_target.hpp"
-#include "problems/layers/read.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/search/read_objectives.hpp"
 

@@ -1,3 +1,4 @@
+#include "problems/layers/read.hpp"
 
 #include <fmt/core.h>
 
@@ -8,7 +9,6 @@
 #include "problems/chain/read_design.hpp"
 #include "problems/chain/read_tolerances.hpp"
 #include "problems/dwell/raster.hpp"
-#include "problems/layers/read.hpp"
 #include "problems/linkage/warnings.hpp"
 
 namespace cognate::problems {

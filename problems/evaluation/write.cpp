@@ -8,6 +8,7 @@
 #include "problems/layers/read.hpp"
 #include "problems/linkage/write_linkage.hpp"
 #include "problems/mechanism/write_mechanism.hpp"
+#include "problems/tolerance/read.hpp"
 
 namespace cognate::problems {
 namespace reading {

@@ -1,9 +1,9 @@
+#include "problems/layers/read.hpp"
 
 #include <algorithm>
 
 #include "problems/chain/read_design.hpp"
 #include "problems/chain/read_tolerances.hpp"
-#include "problems/layers/read.hpp"
 #include "problems/leg/keys.hpp"
 #include "problems/leg/known.hpp"
 #include "problems/linkage/warnings.hpp"

@@ -9,9 +9,9 @@ namespace cognate::problems {
 /// Notes what share of the samples cannot be assembled.
 void note_open(ToleranceResult& result);
 
-/// Sets quantiles, mean and histogram by the greatest error of each sample that can be assembled; of
-/// a transmission angle by its difference from a right angle. Of all `samples` the others count as
-/// worse than any: a quantile that falls among them is not a number.
+/// Sets quantiles, mean and histogram by the greatest error of each sample that can be assembled;
+/// of a transmission angle by its difference from a right angle. Of all `samples` the others count
+/// as worse than any: a quantile that falls among them is not a number.
 void set_extremes_of_samples(ResponseType type, std::vector<double> extremes, std::size_t samples,
                              ToleranceFigures& figures);
 

@@ -63,7 +63,7 @@ Vec2<T> slider_pin(const Vec2<T>& from, const Vec2<T>& on, const Vec2<T>& guide,
 enum class Kept { nothing, guides, distances };
 
 /// Places all lines at the direction `crank` of the crank.
-template <Kept kept = Kept::nothing, class T>
+template <Kept Keeps = Kept::nothing, class T>
 void place(const ChainView<T>& chain, const Vec2<T>& crank, ChainPlace<T>& out) {
   using std::cos;
   using std::sin;
@@ -85,13 +85,13 @@ void place(const ChainView<T>& chain, const Vec2<T>& crank, ChainPlace<T>& out) 
         break;
       case LineType::attached: {
         const Vec2<T> way = out.at[line.second] - out.at[line.first];
-        if constexpr (kept != Kept::distances) out.inverse[k] = T(1) / sqrt(squared_norm(way));
+        if constexpr (Keeps != Kept::distances) out.inverse[k] = T(1) / sqrt(squared_norm(way));
         out.axis[k] = out.inverse[k] * way;
         out.at[k] = out.at[line.first] + Vec2<T>{own[0], own[1]} * out.axis[k];
         break;
       }
       case LineType::guide:
-        if constexpr (kept == Kept::nothing) out.axis[k] = {cos(own[0]), sin(own[0])};
+        if constexpr (Keeps == Kept::nothing) out.axis[k] = {cos(own[0]), sin(own[0])};
         out.at[k] = out.at[line.first] + own[1] * perp(out.axis[k]);
         break;
       case LineType::slider:
