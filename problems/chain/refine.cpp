@@ -56,11 +56,7 @@ RefinedChain refine(const ScaledChain& problem, const synthesis::ChainDesign& de
   auto extremes = extremes_of(problem, here);
   const bool starts_within = here.violation <= kHeld;
   const bool are_fixed = problem.free.empty() && problem.over_turn;  // the transmission angles
-  if (are_fixed && !starts_within) {
-    RefinedChain same = as_it_is(problem, design, angles, at);
-    same.violation = here.violation;
-    return same;
-  }
+  if (are_fixed) extremes.clear();
   std::vector<TransmissionCheck> checks;
   double margin = 0;
   for (int exchange = 0; exchange < kMostExchanges; ++exchange) {
@@ -77,7 +73,8 @@ RefinedChain refine(const ScaledChain& problem, const synthesis::ChainDesign& de
     next.angles = model.angles(solution.x);
     next.at = model.target_place(solution.x);
     next.objective = solution.objective;
-    if (!are_fixed) extremes = extremes_of(problem, next);
+    if (are_fixed) return next;
+    extremes = extremes_of(problem, next);
     const bool is_lost = next.violation > kLost;
     if (!is_lost) here = std::move(next);
     if (!is_lost && here.violation <= kHeld) return here;
