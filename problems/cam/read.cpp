@@ -10,6 +10,7 @@
 #include "problems/cam/read_motion.hpp"
 #include "problems/cam/read_operation.hpp"
 #include "problems/cam/read_raster.hpp"
+#include "problems/cam/read_tolerances.hpp"
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/toml/table_reader.hpp"
 
@@ -65,6 +66,7 @@ void read_tables(TableReader& document, Tables& tables, CamProblem& problem) {
   }
   if (document.faults().size() > before) return;  // what follows takes the rest for granted
   check_cam_assembly(lengths, problem);
+  check_cam_tolerances(document, problem);
   if (problem.raster) {
     check_cam_raster(document, problem);
   } else {

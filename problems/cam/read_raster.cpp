@@ -42,6 +42,27 @@ std::vector<std::string_view> keys_of(const CamProblem& problem) {
   return keys;
 }
 
+/// A face goes through its pivot unless a key says that it may be set off; that of the raster does.
+void free_face_offset(TableReader& document, CamProblem& problem) {
+  constexpr auto kFace = CamDimension::face_offset;
+  const std::string_view key = to_string(kFace);
+  const bool is_given =
+      document.table("mechanism").contains(key) || document.table("follower").contains(key);
+  if (problem.raster->has(key) && !is_given) problem.length(kFace).given.reset();
+}
+
+/// Faults the key of a length that is given.
+void check_open(TableReader& document, const CamProblem& problem) {
+  TableReader table = document.table(kRaster);
+  for (const auto& [name, dimension] : names<CamDimension>()) {
+    const auto& given = problem.length(dimension).given;
+    if (!given || !problem.raster->has(name)) continue;
+    table.fault(name, fmt::format("is of a length that is given as {}; expected one of them, or "
+                                  "neither",
+                                  *given));
+  }
+}
+
 /// Whether the file's bounds or its list end the values of `dimension`, where anything must.
 bool has_end(const CamProblem& problem, CamDimension dimension) {
   const RasterRule* rule = problem.raster->rule(to_string(dimension));
@@ -89,6 +110,9 @@ void read_cam_raster(TableReader& document, CamProblem& problem) {
     }
   }
   problem.raster = read_raster(document, keys_of(problem), cam_raster_refusal(problem));
+  if (!problem.raster) return;
+  free_face_offset(document, problem);
+  check_open(document, problem);
 }
 
 void check_cam_raster(TableReader& document, const CamProblem& problem) {

@@ -13,7 +13,7 @@
 #include "analysis/numbers/golden_section.hpp"
 #include "analysis/numbers/parallel.hpp"
 #include "problems/basics/degrees.hpp"
-#include "problems/basics/names.hpp"
+#include "problems/cam/toleranced_length.hpp"
 #include "problems/linkage/design_tolerances.hpp"
 #include "problems/tolerance/allocate.hpp"
 #include "problems/tolerance/dimensions.hpp"
@@ -33,31 +33,19 @@ constexpr std::array<double Dimensions::*, kCamDimensions> kMembers = {
     &Dimensions::base_radius,     &Dimensions::offset, &Dimensions::roller_radius,
     &Dimensions::centre_distance, &Dimensions::arm,    &Dimensions::face_offset};
 
-bool is_length(CamDimension dimension) {
-  return dimension != CamDimension::offset && dimension != CamDimension::face_offset;
-}
-
 /// A cam whose dimensions may be off, and where its follower then stands.
 class ChangedCam {
  public:
   ChangedCam(const CamProblem& problem, const cam::Cam& cam) : problem_(problem), cam_(cam) {}
 
   /// Takes the dimensions that have a tolerance; what is wrong with it.
-  std::optional<std::string> take(const Tolerances& tolerances) {
+  std::optional<std::string> take() {
     for (std::size_t k = 0; k < kMembers.size(); ++k) {
-      const auto dimension = static_cast<CamDimension>(k);
-      if (!problem_.has_tolerance(dimension)) continue;
-      const std::string name(to_string(dimension));
-      const auto named = std::ranges::find(tolerances.dimensions, name, &NamedTolerance::dimension);
-      const bool is_named = named != tolerances.dimensions.end();
-      if (!is_named && !tolerances.length) continue;
       const double nominal = cam_.system.follower.dimensions.*kMembers[k];
-      const auto deviation = deviation_of(
-          name, nominal, is_named ? named->value : *tolerances.length, problem_.length_unit);
-      if (!deviation) return deviation.error();
-      if (deviation->plus == 0 && deviation->minus == 0) continue;
-      dimensions_.push_back({name, nominal, *deviation, is_length(dimension)});
-      if (auto reason = nothing_left(dimensions_.back())) return reason;
+      auto one = toleranced_length(problem_, static_cast<CamDimension>(k), nominal);
+      if (!one) return std::move(one.error().reason);
+      if (!*one) continue;
+      dimensions_.push_back(**one);
       members_.push_back(k);
     }
     return std::nullopt;
@@ -209,7 +197,7 @@ void sample(const ChangedCam& cam, const Tolerances& tolerances, const std::vect
     at.mean = assembled > 0 ? all.sum[s] / assembled : kMissing;
     at.sigma = assembled > 1 ? std::sqrt(std::max(0.0, excess) / (assembled - 1)) : kMissing;
   }
-  note_open(result);
+  note_samples(result);
   set_yield(tolerances, figures.angle, all.extremes, result);
   set_extremes_of_samples(ResponseType::displacement, std::move(all.extremes), result.samples,
                           figures);
@@ -275,8 +263,8 @@ ToleranceResult tolerances_of(const CamProblem& problem, const CamDesign& design
   const bool angle = cam::is_oscillating(problem.follower);
   ToleranceResult result;
   ChangedCam cam(problem, design.cam);
-  if (const auto fault = cam.take(tolerances)) {
-    result.refused = *fault;
+  if (auto fault = cam.take()) {
+    result.refused = *std::move(fault);
     return result;
   }
   for (const auto& [name, nominal, deviation, is_length] : cam.dimensions()) {

@@ -1,6 +1,7 @@
 #include "problems/chain/raster_axes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -31,7 +32,29 @@ std::string name_of(const Topology& topology, const TopologyLine& line, std::siz
   return link_names(point(line.line.first), point(line.line.second), line.name)[index];
 }
 
+/// What holds for the dimensions of a line; null where any value will do, as of guides.
+const RasterRule* rule_of(const Raster& raster, LineType type) {
+  if (type == LineType::guide) return nullptr;
+  return raster.rule(type == LineType::crank ? "crank" : "", group_of(type));
+}
+
 }  // namespace
+
+std::optional<DimensionOffRaster> dimension_off_raster(const Raster& raster,
+                                                       const Topology& topology) {
+  for (const TopologyLine& line : topology.lines) {
+    const RasterRule* rule = rule_of(raster, line.line.type);
+    if (rule == nullptr) continue;
+    const auto count = static_cast<std::size_t>(synthesis::parameter_count(line.line.type));
+    for (std::size_t i = 0; i < count; ++i) {
+      const Range& bounds = line.bounds[i];
+      if (line.given[i] || !std::isfinite(bounds.max - bounds.min)) continue;
+      if (values_within(*rule, bounds, bounds).count() > 0) continue;
+      return DimensionOffRaster{name_of(topology, line, i), bounds};
+    }
+  }
+  return std::nullopt;
+}
 
 ChainAxes chain_axes(const Raster& raster, const ChainSpace& scaled, const TargetScale& scale) {
   ChainAxes all;
@@ -40,9 +63,7 @@ ChainAxes chain_axes(const Raster& raster, const ChainSpace& scaled, const Targe
   for (const TopologyLine& line : topology.lines) {
     const auto count = static_cast<std::size_t>(synthesis::parameter_count(line.line.type));
     for (std::size_t i = 0; i < count; ++i, ++parameter) {
-      const bool is_crank = line.line.type == LineType::crank;
-      if (line.line.type == LineType::guide) continue;
-      const RasterRule* rule = raster.rule(is_crank ? "crank" : "", group_of(line.line.type));
+      const RasterRule* rule = rule_of(raster, line.line.type);
       if (rule == nullptr || scaled.given[parameter]) continue;
       const bool is_place = line.line.type == LineType::pivot;
       const double origin = !is_place ? 0 : i == 0 ? scale.centre.x : scale.centre.y;

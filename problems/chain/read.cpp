@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "problems/chain/problem.hpp"
+#include "problems/chain/raster_axes.hpp"
 #include "problems/chain/read_design.hpp"
 #include "problems/chain/read_target.hpp"
 #include "problems/chain/read_tolerances.hpp"
@@ -42,6 +43,15 @@ std::optional<Raster> read_chain_raster(TableReader& document, const ChainPathPr
                      is_one ? ""
                             : "is given with a type of several topologies; expected a single one, "
                               "as \"watt-1\" or \"chain\"");
+}
+
+void check_chain_raster(TableReader& document, const ChainPathProblem& problem) {
+  if (!problem.raster || problem.topologies.size() != 1) return;
+  const auto off = dimension_off_raster(*problem.raster, problem.topologies.front());
+  if (!off) return;
+  document.fault("raster", fmt::format("has no value of {} within its bounds [{}, {}]; expected at "
+                                       "least one: widen the bounds or refine the raster",
+                                       off->name, off->bounds.min, off->bounds.max));
 }
 
 /// Without a raster the chain itself may be moved; on one its size counts, which bounds say.
@@ -100,6 +110,7 @@ ChainPathProblem KindTraits<ChainPathProblem>::read(reading::TableReader& docume
   read_chain_constraints(tables.constraints, problem.constraints);
   read_chain_solve(tables.solve, problem.solve);
   problem.raster = read_chain_raster(document, problem);
+  check_chain_raster(document, problem);
   check_movable(tables.target, problem);
   problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies));
   problem.tolerances = read_chain_tolerances(document, problem.topologies, "length");

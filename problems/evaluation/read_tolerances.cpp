@@ -1,7 +1,5 @@
 #include "problems/evaluation/read_tolerances.hpp"
 
-#include <fmt/core.h>
-
 #include "problems/evaluation/output_travel.hpp"
 #include "problems/mechanism/joint_names.hpp"
 #include "problems/task_document.hpp"
@@ -35,7 +33,7 @@ std::optional<Tolerances> read_tolerances(TableReader& document, const NamedMech
   auto tolerances = read_tolerances(document, scope_of(mechanism));
   if (!tolerances || document.faults().size() > 0) return tolerances;
   const auto changed = toleranced(mechanism, *tolerances, length_unit(document));
-  if (!changed) document.fault("tolerance", fmt::format("cannot be met: {}", changed.error()));
+  if (!changed) fault_impossible(document, changed.error().group, changed.error().reason);
   return tolerances;
 }
 

@@ -75,6 +75,7 @@ struct FunctionAxes {
   std::vector<double Lengths<double>::*> lengths;
   std::vector<synthesis::RasterAxis> axes;
   std::vector<synthesis::AxisVariable> variables;
+  bool is_whole = true;  ///< whether no other length is free
 };
 
 FunctionAxes axes_of(const FunctionProblem& problem) {
@@ -85,7 +86,10 @@ FunctionAxes axes_of(const FunctionProblem& problem) {
     if (ranges[i].min == ranges[i].max) continue;
     const int variable = place++;
     const RasterRule* rule = problem.raster->rule(kLinkKeys[i].key);
-    if (rule == nullptr) continue;
+    if (rule == nullptr) {
+      all.is_whole = false;
+      continue;
+    }
     all.lengths.push_back(kLinkKeys[i].length);
     all.axes.push_back({std::string(kLinkKeys[i].key), values_within(*rule, ranges[i], ranges[i])});
     all.variables.push_back({.variable = variable, .is_logarithm = true});
@@ -116,6 +120,9 @@ class FunctionRaster final : public synthesis::ModelRaster {
 
   bool accepts(const RasterPoint& point) const override { return accepts_(design(point)); }
 
+  /// Whether nothing but start angles is left beside the raster.
+  bool is_given_whole() const { return is_given_whole_; }
+
   FunctionGenerator design(const RasterPoint& point) const {
     FunctionGenerator made =
         forms_.all()[static_cast<std::size_t>(point.form)].model->generator(point.x);
@@ -136,7 +143,8 @@ class FunctionRaster final : public synthesis::ModelRaster {
         wanted_(wanted),
         forms_(forms),
         accepts_(accepts),
-        lengths_(std::move(axes.lengths)) {}
+        lengths_(std::move(axes.lengths)),
+        is_given_whole_(axes.is_whole) {}
 
   void add_starts(std::size_t form, const RasterNumbers& at,
                   std::vector<RasterPoint>& starts) const {
@@ -169,6 +177,7 @@ class FunctionRaster final : public synthesis::ModelRaster {
   const FunctionForms& forms_;
   const FunctionAcceptance& accepts_;
   std::vector<double Lengths<double>::*> lengths_;
+  bool is_given_whole_;
 };
 
 }  // namespace
@@ -198,6 +207,8 @@ RasterFunctionResult search_function_raster(const FunctionProblem& problem,
        .threads = run.threads,
        .deadline = &deadline,
        .progress = run.progress});
+  // Lengths that are free beside the raster were fitted from few starts: another may lead to less.
+  result.search.is_enumerated = result.search.is_enumerated && raster.is_given_whole();
   for (const RasterPoint& point : result.search.designs) {
     result.designs.push_back(raster.design(point));
   }

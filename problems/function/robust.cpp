@@ -80,7 +80,11 @@ RobustTask robust_function_task(const FunctionProblem& problem, const FunctionSa
     const FunctionProblem& of = confined.of(minimum.generator.links);
     auto start =
         start_of(problem, *design, minimum.generator, opened(of, wanted, minimum.generator));
-    if (start) task.starts.push_back(*std::move(start));
+    if (start) {
+      task.starts.push_back(*std::move(start));
+    } else {
+      task.lacks_tolerances = true;
+    }
   }
   task.design = [&problem, verified](const RobustStart& start,
                                      const std::vector<double>& x) -> std::optional<Design> {

@@ -261,6 +261,7 @@ std::optional<ToleranceQuestion> function_question(const FunctionProblem& proble
     angles.push_back(zero + *design.metrics.input_start + pair.input);
   }
   auto [question, kept] = question_at(mechanism, angles);
+  question.left_out = angles.size() - kept.size();
   ToleranceQuantity error{.name = "error",
                           .response = travel_response(mechanism.mechanism, mechanism.output),
                           .judged = true};

@@ -193,7 +193,10 @@ RobustTask robust_motion_task(const MotionProblem& problem,
     const auto angles = crank_angles_of(found.body.pair, found.body.reached);
     auto one = std::make_shared<const OpenedMotion>(drive, scaled, angles);
     auto start = start_of(*drive, found, scaled, angles, *one);
-    if (!start) continue;
+    if (!start) {
+      task.lacks_tolerances = true;
+      continue;
+    }
     opened->emplace(start->model.get(), std::move(one));
     task.starts.push_back(*std::move(start));
   }
@@ -220,11 +223,6 @@ Result solve_motion_robustly(const MotionProblem& problem, const Run& run,
   const auto nominal = nominal_designs(problem, run, deadline, result);
   const RobustTask task = robust_motion_task(problem, nominal);
   add_robust(task, robust_designs(task, part_of(run, kStartsDone, 1), deadline), false, result);
-  if (task.starts.empty() && !nominal.empty()) {
-    result.notes.back() =
-        "There is no robust design: of no nominal design are the tolerances known, such as grades "
-        "of lengths beyond their tables.";
-  }
   if (deadline.reached()) {
     result.status = deadline.interrupted() ? Status::interrupted : Status::time_limit;
   } else {

@@ -98,6 +98,7 @@ std::optional<ToleranceQuestion> error_at_targets(const NamedMechanism& mechanis
   const auto point = point_response(mechanism, name);
   if (!point || angles.size() != targets.size()) return std::nullopt;
   auto [question, kept] = question_at(mechanism, angles);
+  question.left_out = angles.size() - kept.size();
   ToleranceQuantity error{.name = "error", .response = *point, .judged = true};
   const PathFrame frame = path_frame(mechanism, question, *point);
   for (std::size_t s = 0; s < kept.size(); ++s) {

@@ -181,6 +181,9 @@ class PathRaster final : public synthesis::ModelRaster {
 
   bool accepts(const RasterPoint& point) const override { return accepts_(design(point)); }
 
+  /// Whether nothing but crank angles and their phase is left beside the raster.
+  bool is_given_whole() const { return !frees_more_; }
+
   RasterPath design(const RasterPoint& point) const {
     const PathForm& form = forms_.all()[static_cast<std::size_t>(point.form)];
     const std::vector<double> x = form.inwards(point.x);
@@ -202,30 +205,41 @@ class PathRaster final : public synthesis::ModelRaster {
         scale_(scale),
         forms_(forms),
         accepts_(accepts),
-        dimensions_(std::move(axes.dimensions)),
-        frees_more_(dimensions_.size() <
-                    static_cast<std::size_t>(forms.all().front().model->global_count())) {
-    const auto free = forms.all().front().model->free_dimensions();
+        dimensions_(std::move(axes.dimensions)) {
+    const PathModel& model = *forms.all().front().model;
+    const auto free = model.free_dimensions();
     const auto phase = std::ranges::find(free, static_cast<int>(PathModel::phase));
     if (phase != free.end()) phase_ = static_cast<std::size_t>(phase - free.begin());
+    const std::size_t found = dimensions_.size() + (phase_ ? 1 : 0);
+    frees_more_ = found < static_cast<std::size_t>(model.global_count());
   }
 
-  /// One of each form, what is not on the raster as in a point that is known; of timed paths with
+  /// Of each form, what is not on the raster as in points that are known; of timed paths with
   /// several phases too.
   std::vector<RasterPoint> starts_of(std::span<const RasterPoint> from) const {
     std::vector<RasterPoint> starts;
     for (std::size_t form = 0; form < forms_.all().size(); ++form) {
-      const auto known = std::ranges::find(from, static_cast<int>(form), &RasterPoint::form);
-      if (known == from.end() && from.empty()) continue;
-      RasterPoint start = known != from.end() ? *known : from.front();
-      start.form = static_cast<int>(form);
-      starts.push_back(start);
-      for (int k = 0; phase_ && k < kPhases; ++k) {
-        start.x[*phase_] = kTurn * k / kPhases;
+      for (RasterPoint& start : known_of(static_cast<int>(form), from)) {
         starts.push_back(start);
+        for (int k = 0; phase_ && k < kPhases; ++k) {
+          start.x[*phase_] = kTurn * k / kPhases;
+          starts.push_back(start);
+        }
       }
     }
     return starts;
+  }
+
+  /// The points that are known of a form, as what is free beside the raster may be otherwise in
+  /// each; else one. Where there are none, another form's.
+  std::vector<RasterPoint> known_of(int form, std::span<const RasterPoint> from) const {
+    std::vector<RasterPoint> known;
+    for (const RasterPoint& point : from) {
+      if (point.form == form && (frees_more_ || known.empty())) known.push_back(point);
+    }
+    if (known.empty() && !from.empty()) known.push_back(from.front());
+    for (RasterPoint& point : known) point.form = form;
+    return known;
   }
 
   template <class Keep>
@@ -246,8 +260,8 @@ class PathRaster final : public synthesis::ModelRaster {
   const PathForms& forms_;
   const PathAcceptance& accepts_;
   std::vector<FourBarDimension> dimensions_;
-  bool frees_more_;  ///< variables beside those of the raster and the crank angles
-  std::optional<std::size_t> phase_;
+  bool frees_more_ = false;  ///< variables beside those of the raster, crank angles and phase
+  std::optional<std::size_t> phase_;  ///< of timed paths, where it is free
 };
 
 }  // namespace
@@ -274,6 +288,8 @@ RasterPathResult search_path_raster(const PathProblem& problem, const PathProble
                                 .threads = run.threads,
                                 .deadline = &deadline,
                                 .progress = run.progress});
+  // What is free beside the raster was fitted from few starts: another may lead to less.
+  result.search.is_enumerated = result.search.is_enumerated && raster.is_given_whole();
   for (const RasterPoint& point : result.search.designs) {
     result.designs.push_back(raster.design(point));
   }

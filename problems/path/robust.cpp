@@ -140,7 +140,10 @@ RobustTask robust_path_task(const PathProblem& problem, const PathProblem& scale
     if (minimum.solution.violation > kPathFeasibility) continue;
     auto path = std::make_shared<const OpenedPath>(scaled, minimum);
     auto start = start_of(problem, scaled, scale, minimum, *path);
-    if (!start) continue;
+    if (!start) {
+      task.lacks_tolerances = true;
+      continue;
+    }
     opened->emplace(start->model.get(), std::move(path));
     task.starts.push_back(*std::move(start));
   }

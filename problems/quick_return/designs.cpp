@@ -156,7 +156,7 @@ Design quick_return_design(const QuickReturnProblem& problem, const synthesis::S
 }
 
 NamedMechanism named_shaper(const synthesis::Shaper& shaper) {
-  constexpr int crank = 1, ram = 5;
+  constexpr int crank = 1, rod = 4, ram = 5;
   ChainDescription chain;
   chain.pivots = {{"A", {0, shaper.frame}}, {"C", {0, 0}}};
   chain.drive = CrankDescription{"A", "B", shaper.crank};
@@ -179,7 +179,7 @@ NamedMechanism named_shaper(const synthesis::Shaper& shaper) {
   mechanism.points = {{"A", {0, {0, shaper.frame}}},
                       {"C", {0, {0, 0}}},
                       {"B", {crank, {shaper.crank, 0}}},
-                      {"E", {ram, {0, 0}}}};
+                      {"E", {rod, {shaper.rod, 0}}}};
   add_point(mechanism, "D", "bar", {shaper.bar, 0});
   mechanism.output = ram;
   mechanism.description = chain;

@@ -202,6 +202,7 @@ ToleranceScope quick_return_scope(QuickReturnType type) {
       scope.unit = "deg";
       break;
     case QuickReturnType::shaper:
+      scope.dimensions = {"crank", "bar", "rod", "ram", "D"};
       break;
   }
   return scope;

@@ -29,6 +29,12 @@ std::string coverage(const synthesis::RasterResult& found) {
     return fmt::format("Each of the {} combinations on the raster was evaluated: none is better.",
                        count(found.combinations));
   }
+  if (found.is_complete && static_cast<double>(found.evaluated) >= found.combinations) {
+    return fmt::format(
+        "Each of the {} combinations on the raster was evaluated, what is free beside it from some "
+        "starts: none better was found, which is no proof.",
+        count(found.combinations));
+  }
   if (found.is_complete) {
     return fmt::format(
         "All {} combinations on the raster are covered, {} of them evaluated; of the others no "
@@ -91,11 +97,13 @@ std::vector<std::string> raster_notes(const synthesis::RasterResult& found,
       !has_rounded ? std::string("which cannot be rounded")
                    : fmt::format("which rounded has {:.4g}{}", measure.of(found.rounded->objective),
                                  found.rounded_is_accepted ? "" : " and breaks a constraint");
-  notes.push_back(
-      fmt::format("{} on the raster {:.4g}; of the continuous optimum {:.4g}, {}; bound of the "
-                  "search {:.4g} (gap {:.3g} %).",
-                  capital(measure.word), best, measure.of(found.relaxed->objective), rounded, bound,
-                  100 * gap_of(best, bound)));
+  const double continuous = measure.of(found.relaxed->objective);
+  notes.push_back(fmt::format(
+      "{} on the raster {:.4g}; of {} {:.4g}, {}; bound of the search {:.4g} (gap "
+      "{:.3g} %).",
+      capital(measure.word), best,
+      continuous > best ? "the best that the search without it found" : "the continuous optimum",
+      continuous, rounded, bound, 100 * gap_of(best, bound)));
   return notes;
 }
 

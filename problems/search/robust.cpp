@@ -318,7 +318,10 @@ RobustAnswer robust_designs(const RobustTask& task, const Run& run, const Deadli
 void add_robust(const RobustTask& task, RobustAnswer answer, bool is_angle, Result& result) {
   if (answer.front.empty()) {
     result.notes.emplace_back(
-        "There is no robust design: no nominal design meets every constraint.");
+        task.starts.empty() && task.lacks_tolerances
+            ? "There is no robust design: no nominal design can have the tolerances of the file: "
+              "they leave nothing of a length, or grades of a standard do not reach it."
+            : "There is no robust design: no nominal design meets every constraint.");
     return;
   }
   const bool is_worst = is_worst_case(task);

@@ -37,6 +37,7 @@ struct RobustTask {
   std::vector<double> scale;        ///< likewise
   double unit = 1;                  ///< of an error of the model, in the file's unit
   std::vector<RobustStart> starts;  ///< the nominal optimum first
+  bool lacks_tolerances = false;    ///< of a nominal design that meets every constraint
   /// Brings the local variables of a point to where they are best by the rules of the file (its
   /// order); false where there is no such place. Empty: they need none.
   std::function<bool(const RobustStart& start, std::vector<double>& x)> place;

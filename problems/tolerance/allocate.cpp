@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -116,6 +117,23 @@ std::vector<double> costs_of(const std::vector<TolerancedDimension>& dimensions,
   return costs;
 }
 
+/// That of a length less than nothing would be left.
+void note_too_wide(std::span<const TolerancedDimension> dimensions,
+                   const std::vector<double>& tolerances, std::vector<std::string>& notes) {
+  std::vector<std::string> lost;
+  for (std::size_t i = 0; i < dimensions.size(); ++i) {
+    const bool is_finite = std::isfinite(tolerances[i]);
+    if (is_finite && dimensions[i].is_length && tolerances[i] >= dimensions[i].nominal) {
+      lost.push_back(dimensions[i].name);
+    }
+  }
+  if (lost.empty()) return;
+  notes.push_back(fmt::format(
+      "The tolerances that tolerance.allocate gives {} are as large as these lengths: its limit is "
+      "too wide for figures of first order.",
+      fmt::join(lost, ", ")));
+}
+
 }  // namespace
 
 void allocate(const AllocatedCosts& to, const WorstDemand& worst, int power,
@@ -158,6 +176,7 @@ void allocate(const AllocatedCosts& to, const WorstDemand& worst, int power,
         "leaves their tolerances open.",
         fmt::join(free, ", ")));
   }
+  note_too_wide(to.dimensions, tolerances, result.notes);
   result.allocation_cost = cheapest->cost;
 }
 

@@ -1,14 +1,18 @@
 #include "problems/tolerance/clearance.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "analysis/mechanism/inverse_dynamics.hpp"
 #include "analysis/mechanism/joints.hpp"
 #include "analysis/mechanism/kinematics.hpp"
 #include "problems/mechanism/joint_names.hpp"
+#include "problems/tolerance/dimensions.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -120,6 +124,22 @@ std::vector<std::size_t> joints_called(const std::string& name,
   return all;
 }
 
+/// That a pin has more play than the shortest length is long.
+void note_loose(const NamedMechanism& mechanism, ToleranceResult& result) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const MechanismDimension& dimension : dimensions(mechanism)) {
+    if (dimension.is_length && dimension.nominal > 0)
+      shortest = std::min(shortest, dimension.nominal);
+  }
+  for (const ClearanceFigures& pin : result.clearances) {
+    if (pin.radial < shortest) continue;
+    result.notes.push_back(
+        fmt::format("The clearance of {} is no less than the shortest length, {:.6g}: figures of "
+                    "first order mean nothing there.",
+                    pin.joint, shortest));
+  }
+}
+
 }  // namespace
 
 void add_clearances(const NamedMechanism& mechanism, const Tolerances& tolerances,
@@ -154,7 +174,7 @@ void add_clearances(const NamedMechanism& mechanism, const Tolerances& tolerance
         if (question.reactions.empty()) continue;
         const Vec2d force = question.reactions[s].reactions[joint].force;
         if (!(norm(force) > 0)) continue;
-        const Vec2d moved = change(reactions, loads, joint, (pin.radial / norm(force)) * force);
+        const Vec2d moved = change(reactions, loads, joint, (-pin.radial / norm(force)) * force);
         if (norm(moved) >= std::abs(pin.loaded.value_or(0))) {
           pin.loaded = loads == 2 ? norm(moved) : moved.x;
           pin.loaded_at = s;
@@ -164,6 +184,7 @@ void add_clearances(const NamedMechanism& mechanism, const Tolerances& tolerance
     most = std::max(most, sum);
   }
   result.clearance_linear = most;
+  note_loose(mechanism, result);
 }
 
 }  // namespace cognate::problems

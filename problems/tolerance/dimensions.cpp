@@ -229,6 +229,10 @@ const ToleranceValue* tolerance_of(const MechanismDimension& dimension,
   return general ? &*general : nullptr;
 }
 
+tl::unexpected<ImpossibleTolerance> impossible(std::string group, std::string reason) {
+  return tl::unexpected(ImpossibleTolerance{std::move(group), std::move(reason)});
+}
+
 }  // namespace
 
 std::vector<MechanismDimension> dimensions(const NamedMechanism& mechanism) {
@@ -274,30 +278,30 @@ std::optional<std::string> nothing_left(const TolerancedDimension& dimension) {
       nominal, deviation.minus);
 }
 
-tl::expected<TolerancedMechanism, std::string> toleranced(const NamedMechanism& mechanism,
-                                                          const Tolerances& tolerances,
-                                                          std::optional<LengthUnit> unit) {
+tl::expected<TolerancedMechanism, ImpossibleTolerance> toleranced(const NamedMechanism& mechanism,
+                                                                  const Tolerances& tolerances,
+                                                                  std::optional<LengthUnit> unit) {
   TolerancedMechanism result;
   const MechanismWithPoints<double> whole = with_points(mechanism);
   const std::vector<double> nominal = AffineMechanism::numbers(whole);
   if (numbers_of(mechanism).size() != nominal.size()) {
-    return tl::unexpected(
-        std::string("this mechanism cannot be written as a file, by which its "
-                    "dimensions are known"));
+    return impossible(
+        "", "this mechanism cannot be written as a file, by which its dimensions are known");
   }
   std::vector<std::vector<double>> slopes;
   for (const MechanismDimension& dimension : dimensions(mechanism)) {
     const ToleranceValue* value = tolerance_of(dimension, tolerances);
     if (!value) continue;
     const auto deviation = deviation_of(dimension.name, dimension.nominal, *value, unit);
-    if (!deviation) return tl::unexpected(deviation.error());
+    if (!deviation) return impossible(dimension.group, deviation.error());
     if (deviation->plus == 0 && deviation->minus == 0) continue;
     const TolerancedDimension own{dimension.name, dimension.nominal, *deviation,
                                   dimension.is_length};
-    if (auto reason = nothing_left(own)) return tl::unexpected(std::move(*reason));
+    if (auto reason = nothing_left(own)) return impossible(dimension.group, std::move(*reason));
     slopes.push_back(slopes_of(mechanism, dimension, nominal));
     if (slopes.back().empty()) {
-      return tl::unexpected(
+      return impossible(
+          dimension.group,
           fmt::format("{} turns the axes in which a point is given; give that point in the axes of "
                       "its body, or {} no tolerance",
                       dimension.name, dimension.group));

@@ -58,12 +58,18 @@ struct TolerancedMechanism {
   AffineMechanism mechanism;                    ///< over the changes of these, in their order
 };
 
-/// The dimensions of `mechanism` with the tolerances that the file gives; or why there is none: a
-/// length that the table of a standard does not reach, or of which a tolerance leaves nothing.
+/// A tolerance that cannot be: of a length that the table of a standard does not reach, or of which
+/// nothing is left; or of a dimension by which the mechanism's description does not tell it.
+struct ImpossibleTolerance {
+  std::string group;  ///< of the dimension, as `[tolerance]` calls it; empty where it is no one's
+  std::string reason;
+};
+
+/// The dimensions of `mechanism` with the tolerances that the file gives; or why there is none.
 /// Where pivots have a tolerance of their own, "frame" follows from them and has none unless it is
 /// named. Grades count without a unit as in mm.
-tl::expected<TolerancedMechanism, std::string> toleranced(const NamedMechanism& mechanism,
-                                                          const Tolerances& tolerances,
-                                                          std::optional<LengthUnit> unit);
+tl::expected<TolerancedMechanism, ImpossibleTolerance> toleranced(const NamedMechanism& mechanism,
+                                                                  const Tolerances& tolerances,
+                                                                  std::optional<LengthUnit> unit);
 
 }  // namespace cognate::problems

@@ -197,6 +197,14 @@ void note_nonlinear(const ToleranceFigures& figures, std::vector<std::string>& n
       figures.name, 100 * (at.linear - exact) / exact));
 }
 
+/// That the exact worst case is not known, unless a dead point is why.
+void note_inexact(const ToleranceFigures& figures, std::vector<std::string>& notes) {
+  if (figures.exact) return;
+  notes.push_back(fmt::format(
+      "{}: the exact worst case was not found within the effort allowed, only that of first order",
+      figures.name));
+}
+
 /// From radians to degrees.
 void to_degrees(ToleranceFigures& figures) {
   if (!figures.angle) return;
@@ -293,7 +301,7 @@ ToleranceResult tolerance_figures(const NamedMechanism& mechanism, const Toleran
   }
   const auto toleranced = problems::toleranced(mechanism, tolerances, unit);
   if (!toleranced) {
-    result.refused = toleranced.error();
+    result.refused = toleranced.error().reason;
     return result;
   }
   for (const auto& [name, nominal, deviation, is_length] : toleranced->dimensions) {
@@ -304,6 +312,14 @@ ToleranceResult tolerance_figures(const NamedMechanism& mechanism, const Toleran
   }
   if (question.stations.empty()) {
     result.refused = "the mechanism can be assembled at none of its positions";
+    return result;
+  }
+  if (question.left_out > 0) {
+    result.refused = fmt::format(
+        "at {} of {} positions the nominal mechanism stands at a dead point or beyond one, where "
+        "any change of a dimension may end the motion: sensitivities, worst cases and quantiles do "
+        "not exist",
+        question.left_out, question.left_out + question.stations.size());
     return result;
   }
   const auto judged = judged_of(question);
@@ -319,6 +335,7 @@ ToleranceResult tolerance_figures(const NamedMechanism& mechanism, const Toleran
     for (std::size_t q = 0; q < question.quantities.size(); ++q) {
       result.quantities.push_back(maker.figures(q));
       note_nonlinear(result.quantities.back(), result.notes);
+      if (!dead) note_inexact(result.quantities.back(), result.notes);
     }
     if (judged) {
       add_clearances(mechanism, tolerances, question, *judged, result);

@@ -39,6 +39,7 @@ struct ToleranceQuantity {
 struct ToleranceQuestion {
   std::vector<double> drive;      ///< radians, or the slide's length
   std::vector<Station> stations;  ///< one for each
+  std::size_t left_out = 0;       ///< positions that must be met and have no station
   std::vector<ToleranceQuantity> quantities;
   /// Positions between which the mechanism must move: dead points are looked for there, too.
   std::vector<Station> motion;

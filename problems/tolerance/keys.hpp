@@ -9,6 +9,8 @@ struct ToleranceKey {
   std::string_view name, meaning;
 };
 
+inline constexpr std::string_view kToleranceTable = "tolerance";
+
 inline constexpr std::string_view kLengthTolerance = "length", kPivotTolerance = "pivots",
                                   kGrade = "grade", kPinClearance = "clearance",
                                   kDistribution = "distribution", kSampleCount = "samples",

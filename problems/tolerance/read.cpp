@@ -11,7 +11,6 @@
 namespace cognate::problems::reading {
 namespace {
 
-constexpr std::string_view kToleranceTable = "tolerance";
 constexpr int kMostSamples = 10'000'000;
 
 constexpr NumberRule kDeviation{[](double x) { return x >= 0 && is_magnitude(x); },
@@ -192,6 +191,15 @@ std::optional<Tolerances> read_tolerances(TableReader& document, const Tolerance
   table.finish();
   if (table.faults().size() == before) check_says_something(table, tolerances);
   return tolerances;
+}
+
+void fault_impossible(TableReader& document, std::string_view group, std::string_view reason) {
+  TableReader table = document.table(kToleranceTable);
+  const std::string what = fmt::format("cannot be met: {}", reason);
+  for (const std::string_view key : {group, kLengthTolerance, kGrade}) {
+    if (!key.empty() && table.has(key)) return table.fault(key, what);
+  }
+  document.fault(kToleranceTable, what);
 }
 
 }  // namespace cognate::problems::reading

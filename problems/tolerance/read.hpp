@@ -34,4 +34,8 @@ std::optional<Tolerances> read_tolerances(TableReader& document, const Tolerance
 /// one.
 Table tolerance_table(const std::optional<Tolerances>& tolerances, bool angle);
 
+/// Faults a tolerance that cannot be, at the key that gives it: that of the dimension `group`, else
+/// the one that is for all.
+void fault_impossible(TableReader& document, std::string_view group, std::string_view reason);
+
 }  // namespace cognate::problems::reading

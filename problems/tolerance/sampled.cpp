@@ -66,10 +66,17 @@ void add_histogram(const std::vector<double>& sorted, ToleranceFigures& figures)
 
 }  // namespace
 
-void note_open(ToleranceResult& result) {
+void note_samples(ToleranceResult& result) {
+  const auto count = static_cast<double>(result.samples);
+  const auto beyond = std::ranges::find_if(
+      kShares, [&](double share) { return std::ceil(share * count) == count; });
+  if (beyond != std::end(kShares)) {
+    result.notes.push_back(fmt::format(
+        "{} {} too few for the quantile of {} %: it is the greatest of them", result.samples,
+        result.samples == 1 ? "sample is" : "samples are", 100 * *beyond));
+  }
   if (result.assembled == result.samples) return;
-  const double open =
-      static_cast<double>(result.samples - result.assembled) / static_cast<double>(result.samples);
+  const double open = static_cast<double>(result.samples - result.assembled) / count;
   result.notes.push_back(
       fmt::format("{:.3g} % of the samples cannot be assembled at every position", 100 * open));
 }
@@ -123,7 +130,7 @@ void add_samples(const TolerancedMechanism& toleranced, const Tolerances& tolera
     result.notes.push_back(
         fmt::format("stopped after {} of {} samples", drawn.samples, options.samples));
   }
-  note_open(result);
+  note_samples(result);
   if (result.quantities.empty()) return;
   for (std::size_t q = 0; q < question.quantities.size(); ++q) {
     ToleranceFigures& figures = result.quantities[q];

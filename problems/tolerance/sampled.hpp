@@ -6,8 +6,8 @@
 
 namespace cognate::problems {
 
-/// Notes what share of the samples cannot be assembled.
-void note_open(ToleranceResult& result);
+/// Notes that the samples are too few for a quantile, and what share of them cannot be assembled.
+void note_samples(ToleranceResult& result);
 
 /// Sets quantiles, mean and histogram by the greatest error of each sample that can be assembled;
 /// of a transmission angle by its difference from a right angle. Of all `samples` the others count

@@ -1,6 +1,7 @@
 #include "problems/toml/file_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <string_view>
 #include <vector>
@@ -64,10 +65,13 @@ tl::expected<std::string, std::string> text_of(const std::filesystem::path& file
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return refusal("the file cannot be opened; expected a file that can be read");
   // One byte more than allowed is enough to refuse, however large the file: a pipe has no size.
-  std::string text(kMostBytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  std::string text;
+  std::array<char, 1 << 16> part{};
+  while (text.size() <= kMostBytes && stream) {
+    stream.read(part.data(), part.size());
+    text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+  }
   if (stream.bad()) return refusal("the file cannot be read to its end; expected a whole file");
-  text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.size() > kMostBytes) {
     return refusal("the file is larger than 8 MiB; at most 8 MiB are allowed");
   }

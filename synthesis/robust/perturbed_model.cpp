@@ -4,6 +4,14 @@
 #include <numeric>
 
 namespace cognate::synthesis {
+namespace {
+
+/// So often a step is halved, and not taken then.
+constexpr int kHalvings = 4;
+/// Parts of a change, the first and the least.
+constexpr double kFirstPart = 0.25, kLeastPart = 1.0 / 64;
+
+}  // namespace
 
 PerturbedModel::Sample& PerturbedModel::memory() const {
   thread_local Sample memory;
@@ -36,16 +44,60 @@ void PerturbedModel::follow(Sample& at) const {
   }
 }
 
+/// Residuals where the local variables have followed from where they stand; a step to where the
+/// model has no value is halved. False where it has none to begin with.
+bool PerturbedModel::settle(bool differentiate, Sample& at) const {
+  const int steps = at.local.empty() ? 0 : follow_;
+  const auto locals =
+      std::span(at.moved).subspan(static_cast<std::size_t>(nominal_.global_count()));
+  thread_local std::vector<double> before;
+  before.assign(locals.begin(), locals.end());
+  for (int step = 0; step <= steps; ++step) {
+    const bool slopes = step < steps || differentiate;
+    const auto has_value = [&] {
+      return slopes ? nominal_.residuals(at.moved, at.r, at.jacobian, at.local)
+                    : nominal_.residuals(at.moved, at.r, {}, {});
+    };
+    for (int halved = 0; !has_value(); ++halved) {
+      if (step == 0 || halved > kHalvings) return false;
+      for (std::size_t k = 0; k < locals.size(); ++k) {
+        locals[k] = halved < kHalvings ? 0.5 * (locals[k] + before[k]) : before[k];
+      }
+    }
+    if (step == steps) break;
+    before.assign(locals.begin(), locals.end());
+    follow(at);
+  }
+  return true;
+}
+
+/// As `settle`, by parts of the change one after the other: what does not close where the design
+/// stands may close where its local variables go meanwhile.
+bool PerturbedModel::approach(std::span<const double> x, bool differentiate, Sample& at) const {
+  if (at.local.empty() || follow_ == 0) return false;
+  const auto globals = static_cast<std::size_t>(nominal_.global_count());
+  thread_local std::vector<double> changed, reached;
+  changed.assign(at.moved.begin(), at.moved.begin() + static_cast<std::ptrdiff_t>(globals));
+  reached.assign(x.begin(), x.end());
+  for (double done = 0, step = kFirstPart; done < 1;) {
+    const double next = std::min(1.0, done + step);
+    std::ranges::copy(reached, at.moved.begin());
+    for (std::size_t k = 0; k < globals; ++k) at.moved[k] += next * (changed[k] - x[k]);
+    if (settle(differentiate && next == 1, at)) {
+      std::copy(at.moved.begin() + static_cast<std::ptrdiff_t>(globals), at.moved.end(),
+                reached.begin() + static_cast<std::ptrdiff_t>(globals));
+      done = next;
+    } else if ((step /= 2) < kLeastPart) {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool PerturbedModel::evaluate(std::span<const double> x, std::size_t number, bool differentiate,
                               Sample& at) const {
   perturbation_.move(x, number, at.moved, at.slope);
-  const int steps = at.local.empty() ? 0 : follow_;
-  for (int step = 0; step < steps; ++step) {
-    if (!nominal_.residuals(at.moved, at.r, at.jacobian, at.local)) return false;
-    follow(at);
-  }
-  if (!differentiate) return nominal_.residuals(at.moved, at.r, {}, {});
-  return nominal_.residuals(at.moved, at.r, at.jacobian, at.local);
+  return settle(differentiate, at) || approach(x, differentiate, at);
 }
 
 void PerturbedModel::nominal_constraints(std::span<const double> x, std::span<double> c,

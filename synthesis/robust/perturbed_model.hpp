@@ -61,6 +61,8 @@ class PerturbedModel {
 
  private:
   void follow(Sample& at) const;
+  bool settle(bool differentiate, Sample& at) const;
+  bool approach(std::span<const double> x, bool differentiate, Sample& at) const;
   void nominal_constraints(std::span<const double> x, std::span<double> c,
                            std::span<double> jacobian) const;
   void limit_sum(std::span<const double> x, double limit, double& c, std::span<double> row) const;

@@ -18,6 +18,8 @@ import sys
 import tempfile
 import unittest
 
+from thinned import some
+
 try:
     import jsonschema
 except ImportError:
@@ -137,7 +139,7 @@ class Analyze(unittest.TestCase):
     def test_every_mechanism_of_the_library(self):
         files = sorted((LIBRARY / "analysis").glob("*.toml"))
         self.assertGreater(len(files), 20)
-        for file in files:
+        for file in some(files):
             with self.subTest(file.name):
                 done = run("analyze", file, "--out", self.folder)
                 self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
@@ -162,7 +164,7 @@ class Analyze(unittest.TestCase):
         # What a result says of its problem is a file again, and gives the same numbers.
         files = sorted((LIBRARY / "analysis").glob("*.toml"))
         self.assertGreater(len(files), 20)
-        for file in files:
+        for file in some(files):
             with self.subTest(file.name):
                 first = parse(run("analyze", file, "--json").stdout)
                 again = self.write(toml_of(first["problem"]))

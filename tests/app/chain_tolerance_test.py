@@ -15,7 +15,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from chain_test import Chain  # noqa: E402
-from written_files import solved  # noqa: E402
+from written_files import command, solved  # noqa: E402
 
 LIBRARY = pathlib.Path()
 STEP = 1e-6
@@ -241,6 +241,12 @@ class Rasters(unittest.TestCase):
         text += "[bounds]\nlength = [0.1, 9]\npivots = [[-9, -9], [9, 9]]\n"
         result = solved(text)
         self.assertFalse(result["facts"]["raster_proven"])
+
+    def test_values_out_of_bounds_are_refused(self):
+        text = RASTER.format(points=POINTS) + "[bounds]\nB = [3, 4]\n"
+        done = command(text, "check")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("raster has no value of crank within its bounds [3, 4]; expected at least one", done.stderr)
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ import unittest
 
 from exported_linkages import distance_to_segment, run
 from part_sheets import PartSheets
+from thinned import some
 
 try:
     import ezdxf
@@ -62,7 +63,7 @@ class ExportHardware(PartSheets):
     def test_spacers_are_rings_that_pass_all_links(self):
         """At positions of the table, links as thick lines between all their holes."""
         seen = 0
-        for result in self.plates:
+        for result in some(self.plates):
             options = (*self.sizes(result), "--spacers", "--thickness", 1)
             done = run("export", result, "--format", "json", *options, "--out", "ringed", cwd=self.folder)
             if done.returncode != 0 or "needs shoulders" in done.stderr:

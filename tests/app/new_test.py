@@ -13,6 +13,8 @@ import sys
 import tempfile
 import unittest
 
+from thinned import some
+
 PROGRAM = ""
 
 KINDS = ["analysis", "cam", "function-generation", "gear", "gear-pair", "gear-train", "leg", "machine", "motion-generation",
@@ -42,7 +44,7 @@ class NewTest(unittest.TestCase):
         return found
 
     def test_every_kind_begins_with_a_file_that_is_solved(self):
-        for kind in KINDS:
+        for kind in some(KINDS):
             with self.subTest(kind):
                 said = self.run_program("new", kind)
                 command = COMMANDS.get(kind, "solve")

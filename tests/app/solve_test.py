@@ -16,6 +16,8 @@ import sys
 import tempfile
 import unittest
 
+from thinned import some
+
 try:
     import jsonschema
 except ImportError:
@@ -175,7 +177,7 @@ class Solve(unittest.TestCase):
         of_gears = {name for part in ("gear_metrics", "gear_pair_metrics")
                     for metric in listed[part] for name in spelled_out(metric["key"])}
         solved = 0
-        for file in sorted(LIBRARY.rglob("*.toml")):
+        for file in some(sorted(LIBRARY.rglob("*.toml"))):
             if file.parent.name in ("analysis", "gear", "machine", "study"):
                 continue
             with self.subTest(file.name):
@@ -200,7 +202,7 @@ class Solve(unittest.TestCase):
                         keys.discard("transmission_angle_deg")  # null of a worm
                     self.assertLessEqual(keys, metrics)
                     solved += 1
-        self.assertGreater(solved, 100)
+        self.assertGreater(solved, 50)
 
     def test_certifies_what_the_file_asks_for(self):
         text = (LIBRARY / "path/semicircle.toml").read_text() + "[solve]\ncertify = true\n"

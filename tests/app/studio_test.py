@@ -14,6 +14,7 @@ import time
 import unittest
 
 from studios import ENDLESS, PROGRAM, SHORT, Studio, Studios
+from thinned import some
 
 LIBRARY = pathlib.Path(sys.argv[2])
 
@@ -40,7 +41,7 @@ class StudioTest(Studios):
         kinds = [each["name"] for each in names if each["name"].startswith("new/")]
         self.assertEqual(len(kinds), 12)
         self.assertGreater(len(names), 60)
-        for name in kinds:
+        for name in some(kinds):
             with self.subTest(name):
                 text = studio.document(f"/template?name={name}")["text"]
                 run = studio.document("/solve", {"text": text})["run"]

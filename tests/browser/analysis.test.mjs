@@ -2,8 +2,8 @@
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync, statSync } from "node:fs";
 import path from "node:path";
-import { after, before, test } from "node:test";
-import { LOOKS, assertFits, assertInked, distance, goesToAndFro, hasCurves, launch, moves, some, visit as visitReport, withoutPlots } from "./browser.mjs";
+import { after, before } from "node:test";
+import { assertFits, assertInked, distance, goesToAndFro, hasCurves, inTurn as test, launch, LOOKS, moves, some, visit as visitReport, withoutPlots } from "./browser.mjs";
 
 const NAMES = ["four-bar", "four-bar-gaps", "slider-crank", "guide-bar", "guide-bar-offset", "oscillating-block", "scotch-yoke",
   "elliptic-trammel", "tangent-generator", "oldham-coupling", "driven-by-slider", "shaper", "hundred-links"];
@@ -31,7 +31,7 @@ const onBody = (page, body, u, v) => page.evaluate(([i, x, y]) => {
 }, [body, u, v]);
 
 for (const { size, scheme } of LOOKS) {
-  for (const name of size === "desktop" ? some(NAMES) : ["four-bar", "shaper", "hundred-links"]) {
+  for (const name of some(size === "desktop" ? NAMES : ["four-bar", "shaper", "hundred-links"])) {
     test(`${name} fits a ${size} in ${scheme} colours`, () => visit(name, { size, scheme, ...still }, async (page) => {
       await assertFits(page);
       assert.ok(await page.locator(".layer-bodies .body").count() > 0);

@@ -1,5 +1,6 @@
 // The system's Chromium, and pages opened from disk in it.
 import { createRequire } from "node:module";
+import { test } from "node:test";
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 import path from "node:path";
@@ -15,6 +16,10 @@ export const LOOKS = [{ size: "desktop", scheme: "light" }, { size: "phone", sch
 
 // Of many pages of one sort every third, which an ordinary run opens; with WHOLE in the environment all.
 export const some = (list) => process.env.WHOLE ? list : list.filter((_, i) => i % 3 === 0);
+
+// Of the tests of a file with many every second, likewise.
+let tests = 0;
+export const inTurn = (name, ...rest) => tests++ % 2 === 0 || process.env.WHOLE ? test(name, ...rest) : test.skip(name);
 
 export function launch() {
   return chromium.launch({

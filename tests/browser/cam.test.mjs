@@ -1,7 +1,7 @@
 // The page of a cam as a reader meets it: in Chromium, from disk, at desktop and phone width.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { LOOKS, assertFits, assertInked, launch, some, visit as visitReport } from "./browser.mjs";
+import { after, before } from "node:test";
+import { assertFits, assertInked, inTurn as test, launch, LOOKS, some, visit as visitReport } from "./browser.mjs";
 
 const ROLLERS = ["translating-roller", "oscillating-roller", "groove", "conjugate"];
 const NAMES = [...ROLLERS, "translating-flat", "translating-knife", "oscillating-flat", "oscillating-knife", "constant-breadth"];
@@ -39,7 +39,7 @@ const gap = (page) => page.evaluate(() => {
 });
 
 for (const { size, scheme } of LOOKS) {
-  for (const name of size === "desktop" ? some(NAMES) : ["translating-roller", "oscillating-flat", "conjugate"]) {
+  for (const name of some(size === "desktop" ? NAMES : ["translating-roller", "oscillating-flat", "conjugate"])) {
     test(`${name} fits a ${size} in ${scheme} colours, with all that it can show`, () => visit(name, { size, scheme, ...still }, async (page) => {
       await assertFits(page);
       await page.locator('[data-layer][aria-pressed="false"]:visible').evaluateAll((buttons) => buttons.forEach((button) => button.click()));

@@ -5,8 +5,8 @@ import { execFileSync, spawnSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
-import { after, before, test } from "node:test";
-import { launch, some, visit as visitReport } from "./browser.mjs";
+import { after, before } from "node:test";
+import { inTurn as test, launch, some, visit as visitReport } from "./browser.mjs";
 
 let browser;
 before(async () => { browser = await launch(); });

@@ -2,8 +2,8 @@
 import assert from "node:assert/strict";
 import { statSync } from "node:fs";
 import path from "node:path";
-import { after, before, test } from "node:test";
-import { LOOKS, assertFits, assertInked, launch, some, visit as visitReport, withoutPlots } from "./browser.mjs";
+import { after, before } from "node:test";
+import { assertFits, assertInked, inTurn as test, launch, LOOKS, some, visit as visitReport, withoutPlots } from "./browser.mjs";
 
 const PAIRS = ["pair", "lost", "overlap", "helical", "bevel", "search"];
 const NAMES = [...PAIRS, "gear", "undercut", "worm"];
@@ -65,7 +65,7 @@ const dots = (page) => page.locator(".gear-contact:not([hidden])").evaluateAll((
 }));
 
 for (const { size, scheme } of LOOKS) {
-  for (const name of size === "desktop" ? some(NAMES) : ["pair", "undercut", "worm"]) {
+  for (const name of some(size === "desktop" ? NAMES : ["pair", "undercut", "worm"])) {
     test(`${name} fits a ${size} in ${scheme} colours, with all that it can show`, () => visit(name, { size, scheme, ...still }, async (page) => {
       await assertFits(page);
       await page.locator('[data-layer][aria-pressed="false"]:visible').evaluateAll((buttons) => buttons.forEach((button) => button.click()));

@@ -3,8 +3,8 @@
 import assert from "node:assert/strict";
 import { readFileSync, statSync } from "node:fs";
 import path from "node:path";
-import { after, before, test } from "node:test";
-import { distance, launch, some, visit as visitReport, withoutPlots } from "./browser.mjs";
+import { after, before } from "node:test";
+import { distance, inTurn as test, launch, some, visit as visitReport, withoutPlots } from "./browser.mjs";
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -66,7 +66,7 @@ for (const name of some([...KINDS, "machine-press"])) {
 }
 
 // Lines that a text takes, by the places of its characters.
-for (const name of ["exact-motion", "library-four-bar-forces", "cam-translating-roller"]) {
+for (const name of some(["exact-motion", "library-four-bar-forces", "cam-translating-roller"])) {
   test(`${name}: on a phone no number is broken across lines`, () => visit(name, async (page) => {
     for (const fold of await page.locator(".more summary").all()) await fold.click();
     const [count, broken] = await page.evaluate(() => {
@@ -180,7 +180,8 @@ const circleAt = (page, selector) => page.locator(selector).evaluate((c) => ["cx
 
 // Against differences of the places that the kernel sampled.
 const P = '.layer-pins [data-name="P"]';
-for (const [name, point, of, drives] of [["ellipse", "#coupler-point", "extra", [40, 130, 200, 290]], ["library-crank-rocker", P, "layer", [20, 60, 300, 330]], ["library-coupler-curve", P, "extra", [20, 100, 190, 260]]]) {
+for (const [name, point, of, drives] of some([["ellipse", "#coupler-point", "extra", [40, 130, 200, 290]], ["library-crank-rocker", P, "layer", [20, 60, 300, 330]],
+  ["library-coupler-curve", P, "extra", [20, 100, 190, 260]]])) {
   test(`${name}: arrows of velocity and acceleration are the changes of the coupler point`, () => visit(name, async (page) => {
     for (const kind of ["velocity", "acceleration"]) await page.locator(`[data-${of}=${kind}]`).click();
     const sizes = { velocity: [], acceleration: [] };
@@ -412,7 +413,7 @@ for (const scheme of ["light", "dark"]) {
 }
 
 // Pages of a PDF and how much is drawn on each: the lengths of their content streams.
-for (const name of ["ellipse", "cam-translating-roller", "gear-pair"]) {
+for (const name of some(["ellipse", "cam-translating-roller", "gear-pair"])) {
   test(`${name} on paper: as wide as the page, no page empty`, () => visit(name, async (page) => {
     await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
     await page.emulateMedia({ media: "print" });

@@ -1,7 +1,7 @@
 // The report page as a reader meets it: in Chromium, from disk, at desktop and phone width.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { LOOKS, assertFits, assertInked, distance, goesToAndFro, hasCurves, launch, moves, some, visit as visitReport, withoutPlots } from "./browser.mjs";
+import { after, before } from "node:test";
+import { assertFits, assertInked, distance, goesToAndFro, hasCurves, inTurn as test, launch, LOOKS, moves, some, visit as visitReport, withoutPlots } from "./browser.mjs";
 
 let browser;
 before(async () => { browser = await launch(); });

@@ -5,11 +5,11 @@ import { execFile, execFileSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
-import { after, before, test } from "node:test";
+import { after, before } from "node:test";
 import { promisify } from "node:util";
 import { gzipSync } from "node:zlib";
 import { problemToml } from "../../app/report/page/toml.js";
-import { assertFits, distance, launch, moves, open, some } from "./browser.mjs";
+import { assertFits, distance, inTurn as test, launch, moves, open, some } from "./browser.mjs";
 
 let browser, folder, file, hasKernel;
 before(async () => {
@@ -248,7 +248,7 @@ test("the files that are taken along are sound", () => visit({}, async (page) =>
   assert.match(fs.readFileSync(await saved.path(), "utf8"), /^<svg .*<\/svg>\s*$/s);
 }));
 
-for (const options of [{ size: "phone", scheme: "dark" }, { size: "phone", locale: "zh-CN" }, { size: "laptop" }]) {
+for (const options of some([{ size: "phone", scheme: "dark" }, { size: "phone", locale: "zh-CN" }, { size: "laptop" }])) {
   test(`it fits: ${JSON.stringify(options)}`, () => visit(options, async (page) => {
     await assertFits(page);
     await draw(page, (t) => [0.5 + 0.3 * Math.cos(t), 0.45 - 0.25 * Math.sin(t)]);

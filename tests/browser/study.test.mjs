@@ -2,10 +2,10 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import path from "node:path";
-import { after, before, test } from "node:test";
+import { after, before } from "node:test";
 import { Closure } from "../../app/report/page/study/closure.js";
 import { RowLinkage } from "../../app/report/page/study/linkage.js";
-import { LOOKS, assertFits, launch, some, visit as visitReport } from "./browser.mjs";
+import { assertFits, inTurn as test, launch, LOOKS, some, visit as visitReport } from "./browser.mjs";
 
 const hasPlots = process.env.HAS_CURVES !== "0";
 const plotted = { skip: !hasPlots && "made without d3" };

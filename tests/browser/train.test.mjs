@@ -1,7 +1,7 @@
 // The pages of gear trains as a reader meets them: in Chromium, from disk, at desktop and phone width.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { LOOKS, assertFits, launch, visit as visitReport } from "./browser.mjs";
+import { assertFits, launch, LOOKS, some, visit as visitReport } from "./browser.mjs";
 
 const NAMES = ["planetary", "simpson", "ferguson", "differential", "clock", "coaxial"];
 const still = { motion: "reduce" };
@@ -21,7 +21,7 @@ const stance = (page, selector) => page.locator(selector).first().evaluate((part
 const wrapped = (deg) => deg - 360 * Math.round(deg / 360);
 
 for (const { size, scheme } of LOOKS) {
-  for (const name of NAMES) {
+  for (const name of some(NAMES)) {
     test(`${name} fits a ${size} in ${scheme} colours`, () => visit(name, { size, scheme, ...still }, async (page) => {
       await assertFits(page);
       for (const deg of [0, 77, 300]) await driveTo(page, deg);

@@ -58,11 +58,11 @@ const std::vector<FaultCase> kCases{
      {{10, 21, "is of an angle here; expected limit_deg"}}},
     {"NothingLeft",
      rocker("length = 40\n"),
-     {{8, 1, "crank is 40 long, of which a tolerance of -40 leaves nothing; expected less"}}},
+     {{9, 10, "crank is 40 long, of which a tolerance of -40 leaves nothing; expected less"}}},
     {"GradeWithoutTheSize",
      "kind = \"analysis\"\nlength_unit = \"m\"\n[mechanism]\ntype = \"scotch-yoke\"\ncrank = 9\n"
      "[tolerance]\ngrade = \"IT8\"\n",
-     {{6, 1, "crank is 9000 mm long, for which IT8 has no tolerance"}}},
+     {{7, 9, "crank is 9000 mm long, for which IT8 has no tolerance"}}},
     {"NoLinkOfTheChain",
      path("watt-1", "ZZ = 0.1\nlength = 0.1\n"),
      {{11, 1, "unknown key \"ZZ\" in [tolerance]"}}},

@@ -4,6 +4,7 @@
 
 #include "problems/cam/raster.hpp"
 #include "problems/cam/read_raster.hpp"
+#include "problems/cam/read_tolerances.hpp"
 #include "problems/cam/search.hpp"
 #include "problems/cam/tolerance_figures.hpp"
 #include "problems/tolerance/read.hpp"
@@ -54,6 +55,8 @@ std::optional<Tolerances> reading::read_tolerances(TableReader& /*document*/,
                                                    const ToleranceScope& /*scope*/) {
   return std::nullopt;
 }
+
+void reading::check_cam_tolerances(TableReader& /*document*/, const CamProblem& /*problem*/) {}
 
 void add_tolerances(const CamProblem& /*problem*/, const Run& /*run*/, const Deadline& /*deadline*/,
                     CamResult& /*result*/) {}

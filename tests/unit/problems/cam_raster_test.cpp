@@ -269,6 +269,34 @@ TEST(CamRaster, FaceTakesTheNextSizeAboveItsCurvature) {
   EXPECT_EQ(fact(result, "rounded_feasible"), 1);
 }
 
+/// The answer of a list is the smaller of those with either value given.
+TEST(CamRaster, AFaceIsSetOffByTheValuesOfItsList) {
+  const auto file = [](std::string_view given, std::string_view on_raster) {
+    return fmt::format(R"(
+      kind = "cam"
+      follower = {{type = "oscillating-flat"{}}}
+      constraints = {{curvature_radius_min = 3, profile_radius_min = 14, pressure_angle_deg_max = 12}}
+      bounds = {{base_radius = [5, 100], centre_distance = [30, 90]}}
+      raster = {{base_radius = 1, centre_distance = 3{}}}
+      motion = [{{law = "3-4-5", over_deg = 110, rise_deg = 14}}, {{law = "dwell", over_deg = 50}},
+                {{law = "cycloidal", over_deg = 90, rise_deg = -14}},
+                {{law = "dwell", over_deg = 110}}]
+    )",
+                       given, on_raster);
+  };
+  const auto best = solved(file("", ", face_offset = [2, 5]"));
+  double smallest = kNothing;
+  for (const std::string_view given : {", face_offset = 2", ", face_offset = 5"}) {
+    const auto own = solved(file(given, ""));
+    ASSERT_FALSE(own.designs.empty());
+    smallest = std::min(smallest, own.designs.front().cam.system.follower.dimensions.base_radius);
+  }
+  ASSERT_FALSE(best.designs.empty());
+  const auto& found = best.designs.front().cam.system.follower.dimensions;
+  EXPECT_TRUE(found.face_offset == 2 || found.face_offset == 5) << found.face_offset;
+  EXPECT_EQ(found.base_radius, smallest);
+}
+
 constexpr std::string_view kHead = R"(
   kind = "cam"
   [[motion]]
@@ -304,6 +332,9 @@ TEST(CamRaster, RefusesWhatItCannotTry) {
                 .find("branch and bound"),
             std::string::npos);
   EXPECT_NE(fault("roller_radius = 5\n[raster]\ncenter = 1\n").find("\"base_radius\""),
+            std::string::npos);
+  EXPECT_NE(fault("roller_radius = 5\n[raster]\nbase_radius = 1\noffset = 1\nroller_radius = [4]\n")
+                .find("raster.roller_radius is of a length that is given as 5"),
             std::string::npos);
   EXPECT_EQ(fault("roller_radius = 5\n[raster]\nbase_radius = -1\n").find("puts no dimension"),
             std::string::npos);

@@ -338,6 +338,44 @@ TEST(FunctionRaster, OfLeastLargestErrorIsTheBestOfAllCombinations) {
   EXPECT_TRUE(flag(result, "raster_proven"));
 }
 
+/// Four lengths on the raster, place and coupler point free: found from few starts, of which none
+/// need lead to the best. The library's search for the same lengths finds a better one.
+TEST(PathRaster, WhatStaysFreeBesideItIsNoProof) {
+  const std::string target =
+      "kind = \"path-generation\"\n[target]\npoints = [[10, 18], [18, 22], [24, 15], [19, 8], [27, "
+      "4], [20, -3]]\n[bounds]\nlength = [5, 50]\n";
+  const Result on_raster = solve(
+      problem_of<PathProblem>(target + "[solve]\nstarts = 8\n[raster]\ncrank = [10]\ncoupler = "
+                                       "[20]\nrocker = [25]\nframe = [30]\n"),
+      {.threads = 1});
+  const Result given =
+      solve(problem_of<PathProblem>(target + "[mechanism]\ncrank = 10\ncoupler = 20\nrocker = "
+                                             "25\nframe = 30\n[solve]\nstarts = 600\n"),
+            {.threads = 1});
+  ASSERT_EQ(on_raster.status, Status::solved);
+  ASSERT_EQ(given.status, Status::solved);
+  ASSERT_LT(given.designs.front().error.rms, 0.99 * number(on_raster, "raster_error"));
+  EXPECT_FALSE(flag(on_raster, "raster_proven"));
+  EXPECT_TRUE(flag(on_raster, "raster_complete"));
+  const bool says_so = std::ranges::any_of(on_raster.notes, [](const std::string& note) {
+    return note.find("which is no proof") != std::string::npos;
+  });
+  EXPECT_TRUE(says_so);
+}
+
+TEST(FunctionRaster, LengthsThatStayFreeBesideItAreNoProof) {
+  const std::string file =
+      "kind = \"function-generation\"\n[target]\nfunction = \"log10(x)\"\ndomain = [1, 2]\n"
+      "input_range_deg = 60\noutput_range_deg = 60\n[bounds]\nlength = [0.5, 9]\n[solve]\nstarts = "
+      "30\n[raster]\ncrank = [1, 2]\ncoupler = [2, 3]\nrocker = [1.5, 2]\nframe = ";
+  const auto proven = [&](const std::string& frame) {
+    const Result result = solve(problem_of<FunctionProblem>(file + frame + "\n"), {.threads = 1});
+    return flag(result, "raster_proven");
+  };
+  EXPECT_TRUE(proven("[2, 4]"));
+  EXPECT_FALSE(proven("\"free\""));
+}
+
 std::string fault_of(const std::string& text) {
   const auto problem = parse_task(text);
   return problem ? "" : problem.error().front().message;

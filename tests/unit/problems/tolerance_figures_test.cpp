@@ -5,9 +5,11 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
+#include "analysis/numbers/vec2.hpp"
 #include "problems/evaluation/result.hpp"
 #include "problems/read.hpp"
 #include "problems/tolerance/draws.hpp"
@@ -201,6 +203,59 @@ TEST(ToleranceFigures, MasslessPinsLengthenTheirLink) {
   ASSERT_EQ(result.clearances.size(), 2u);
   EXPECT_NEAR(result.clearances[0].massless, 0.02 * by_coupler, 1e-4 * by_coupler);
   EXPECT_NEAR(result.clearances[1].massless, 0.03 * by_coupler, 1e-4 * by_coupler);
+}
+
+// Nothing but a load on the output presses the pins: each gives way to it as far as it can.
+TEST(ToleranceFigures, PinsGiveWayToALoadOnTheOutput) {
+  for (const double sense : {1.0, -1.0}) {
+    const std::string loaded =
+        kRocker + "\n[[load]]\non = \"rocker\"\ntorque = " + std::to_string(6 * sense);
+    const auto result = tolerances_of(
+        loaded, "length = 0.1\nsamples = 0\nclearance = {A = 0.01, B = 0.02, C = 0.03}", 60, 60.001,
+        1);
+    ASSERT_EQ(result.clearances.size(), 3u);
+    for (const ClearanceFigures& pin : result.clearances) {
+      ASSERT_TRUE(pin.loaded) << pin.joint;
+      EXPECT_NEAR(*pin.loaded, sense * pin.massless, 1e-9 * pin.massless) << pin.joint;
+    }
+  }
+}
+
+// The weight of a point on the coupler lowers it as far as the play of the crank's pin allows.
+TEST(ToleranceFigures, AWeightOnTheCouplerSinksIntoThePlayOfThePin) {
+  const double play = 1e-5;
+  const Vec2d force{3, -7}, at{50, 30};
+  for (const double degrees : {20.0, 60.0, 145.0, 230.0, 301.0}) {
+    const Vec2d b = 40 * Vec2d{std::cos(degrees / kDegree), std::sin(degrees / kDegree)};
+    // The rocker's angle in degrees and the loaded point, the coupler's hole `offset` from the pin.
+    const auto placed = [&](const Vec2d& offset) {
+      const Vec2d hole = b + offset, d{110, 0}, way = d - hole;
+      const double square = squared_norm(way);
+      const double along = (120.0 * 120 - 80.0 * 80 + square) / (2 * square);
+      const Vec2d c = hole + along * way +
+                      -std::sqrt(120.0 * 120 / square - along * along) * Vec2d{way.y, -way.x};
+      const Vec2d u = (1 / 120.0) * (c - hole);
+      return std::pair(std::atan2(c.y - d.y, c.x - d.x) * kDegree,
+                       hole + at.x * u + at.y * Vec2d{-u.y, u.x});
+    };
+    double lowest = -1, change = 0;
+    for (int k = 0; k < 3600; ++k) {
+      const double turn = k / 10.0 / kDegree;
+      const auto [angle, point] = placed(play * Vec2d{std::cos(turn), std::sin(turn)});
+      const double work = dot(force, point - placed({}).second);
+      if (work <= lowest) continue;
+      lowest = work;
+      change = angle - placed({}).first;
+    }
+    const std::string loaded =
+        kRocker + "\ncoupler_point = [50, 30]\n[[load]]\non = \"P\"\nforce = [3, -7]";
+    const auto result = tolerances_of(loaded, "length = 0.1\nsamples = 0\nclearance = {B = 1e-5}",
+                                      degrees, degrees + 1e-6, 1);
+    ASSERT_EQ(result.clearances.size(), 1u);
+    ASSERT_TRUE(result.clearances[0].loaded);
+    EXPECT_NEAR(*result.clearances[0].loaded, change, 2e-3 * result.clearances[0].massless)
+        << degrees;
+  }
 }
 
 TEST(ToleranceFigures, ATwoDyadChainHasThePartialsOf113Bits) {

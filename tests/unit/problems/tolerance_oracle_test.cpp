@@ -232,7 +232,7 @@ TEST(ToleranceOracle, PartialsOfAThousandMechanismsAreThoseOf113Bits) {
     if (!std::isfinite(static_cast<double>(own.output(own.numbers)))) continue;
     const AnalysisProblem problem = problem_of(own.text, "length = 0.001");
     const auto made = toleranced(problem.mechanism, *problem.tolerances, {});
-    ASSERT_TRUE(made) << made.error();
+    ASSERT_TRUE(made) << made.error().reason;
     const std::vector responses{
         travel_response(problem.mechanism.mechanism, problem.mechanism.output)};
     const std::vector stations{station_at(problem.mechanism, degrees)};

@@ -85,6 +85,59 @@ double distance(const std::vector<double>& x, const Shifts& shifts, std::size_t 
   return from(0.5 * (low + high));
 }
 
+/// A crank t that has no position from x + 1/2 on, as one of a linkage beyond a dead point; nearest
+/// to its target at t = x, 1/10 away.
+class EndingModel final : public Model {
+ public:
+  std::span<const Variable> variables() const override { return variables_; }
+  int residual_count() const override { return 2; }
+  std::span<const int> local_of_residual() const override { return locals_; }
+  int local_count() const override { return 1; }
+  bool residuals(std::span<const double> x, std::span<double> r, std::span<double> jacobian,
+                 std::span<double> local) const override {
+    if (!(x[1] < x[0] + 0.5)) return false;
+    r[0] = x[1] - x[0];
+    r[1] = 0.1;
+    if (jacobian.empty()) return true;
+    jacobian[0] = -1;
+    jacobian[1] = 0;
+    local[0] = 1;
+    local[1] = 0;
+    return true;
+  }
+
+ private:
+  std::vector<Variable> variables_{{"x", -9, 9, 1}, {"t", -9, 9, 1}};
+  std::vector<int> locals_{0, 0};
+};
+
+class Steps final : public Perturbation {
+ public:
+  std::size_t count() const override { return 9; }
+  void move(std::span<const double> x, std::size_t sample, std::span<double> moved,
+            std::span<double> slope) const override {
+    std::ranges::copy(x, moved.begin());
+    std::ranges::fill(slope, 1.0);
+    moved[0] += 0.4 * (static_cast<double>(sample) - 4);
+  }
+};
+
+/// What is made need not close where the design stands: the crank goes to where it does.
+TEST(QuantileModel, ACrankFollowsBeyondWhereTheDesignStands) {
+  const EndingModel model;
+  const Steps steps;
+  for (const int follow : {1, 2}) {
+    const QuantileModel quantile(model, steps, {.share = 0.5, .follow = follow});
+    for (const double error : quantile.errors(std::vector<double>{2, 2}, 1)) {
+      EXPECT_NEAR(error, 0.1, 1e-12);
+    }
+  }
+  // A crank that does not follow stays, and three of nine have no position there.
+  const QuantileModel held(model, steps, {.share = 0.5, .follow = 0});
+  const auto errors = held.errors(std::vector<double>{2, 2}, 1);
+  EXPECT_EQ(std::ranges::count_if(errors, [](double e) { return std::isinf(e); }), 3);
+}
+
 const std::vector<double> kAt{2, 1.5, 0.1, 0.25, 1.1, 1.9};
 
 TEST(QuantileModel, ErrorsAreTheGreatestLeastDistances) {
