@@ -87,9 +87,10 @@ bool PerturbedModel::approach(std::span<const double> x, bool differentiate, Sam
       std::copy(at.moved.begin() + static_cast<std::ptrdiff_t>(globals), at.moved.end(),
                 reached.begin() + static_cast<std::ptrdiff_t>(globals));
       done = next;
-    } else if ((step /= 2) < kLeastPart) {
-      return false;
+      continue;
     }
+    step /= 2;
+    if (step < kLeastPart) return false;
   }
   return true;
 }
