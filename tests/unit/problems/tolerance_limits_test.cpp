@@ -9,6 +9,8 @@
 #include "problems/cam/result.hpp"
 #include "problems/evaluation/result.hpp"
 #include "problems/linkage/design_tolerances.hpp"
+#include "problems/linkage/result.hpp"
+#include "problems/quick_return/problem.hpp"
 #include "problems/read.hpp"
 #include "problems/tolerance/figures.hpp"
 
@@ -101,6 +103,29 @@ TEST(ToleranceLimits, ADesignWithAPointAtADeadPointHasNoFigures) {
     EXPECT_EQ(result.refused.has_value(), last == dead);
     EXPECT_EQ(result.samples, last == dead ? 0 : 2000);
   }
+}
+
+/// The ram of a shaper by its links' own geometry: bar from the origin through the crank's pin.
+TEST(ToleranceLimits, AShaperThatIsDesignedHasTolerances) {
+  const auto read = parse_task<QuickReturnProblem>(
+      "kind = \"quick-return\"\n[target]\ntime_ratio = 1.8587624499578357\n[mechanism]\n"
+      "type = \"shaper\"\nstroke = 0.54545454545454545\nframe = 0.275\nrod = 0.15\n[tolerance]\n"
+      "crank = 0.001\nsamples = 0\n");
+  ASSERT_TRUE(read) << read.error().front().message;
+  const auto result = solve(*read, {.threads = 1});
+  ASSERT_FALSE(result.designs.empty());
+  ASSERT_TRUE(result.designs[0].tolerance);
+  const ToleranceResult& tolerance = *result.designs[0].tolerance;
+  ASSERT_FALSE(tolerance.refused) << *tolerance.refused;
+  const ToleranceFigures& ram = tolerance.quantities.at(0);
+  const double angle = tolerance.drive.at(ram.worst) * std::acos(-1.0) / 180;
+  const auto place = [&](double crank) {
+    const double x = crank * std::cos(angle), y = 0.275 + crank * std::sin(angle);
+    const double bar = 0.6 / std::hypot(x, y), below = 0.567217062849074 - bar * y;
+    return bar * x - std::sqrt(0.15 * 0.15 - below * below);
+  };
+  const double slope = (place(0.125 + 1e-6) - place(0.125 - 1e-6)) / 2e-6;
+  EXPECT_NEAR(std::abs(ram.contributions.at(0).sensitivity), std::abs(slope), 1e-6);
 }
 
 TEST(ToleranceLimits, ACamOfNoRadiusIsRefusedAndOneUndercutHasNoWorstCase) {
