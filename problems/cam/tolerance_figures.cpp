@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "analysis/cam/changed_follower.hpp"
+#include "analysis/cam/motion_programme.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/golden_section.hpp"
 #include "analysis/numbers/parallel.hpp"
@@ -203,6 +204,19 @@ void sample(const ChangedCam& cam, const Tolerances& tolerances, const std::vect
                           figures);
 }
 
+/// That a follower on a corner of its cam is not found, which only lessens what counts as
+/// assembled.
+void note_corners(const cam::MotionProgramme& programme, ToleranceResult& result) {
+  const auto jumps = cam::jumps(programme);
+  const bool has_corners =
+      std::ranges::any_of(jumps, [](const cam::Jump& jump) { return jump.order <= 1; });
+  if (!has_corners || result.assembled == result.samples) return;
+  result.notes.emplace_back(
+      "where the velocity jumps the cam has a corner; samples whose follower would rest on it "
+      "count "
+      "as not assembled, so that yield and quantiles are worse than those of the parts");
+}
+
 void allocate(const ChangedCam& cam, const Tolerances& tolerances,
               const std::vector<std::vector<double>>& rates, bool angle, ToleranceResult& result) {
   if (!tolerances.allocation) return;
@@ -291,7 +305,10 @@ ToleranceResult tolerances_of(const CamProblem& problem, const CamDesign& design
   contribute(cam, rates, figures);
   result.quantities.push_back(std::move(figures));
   allocate(cam, tolerances, rates, angle, result);
-  if (tolerances.samples > 0) sample(cam, tolerances, angles, run, deadline, result);
+  if (tolerances.samples > 0) {
+    sample(cam, tolerances, angles, run, deadline, result);
+    note_corners(design.cam.programme, result);
+  }
   if (angle) to_degrees(result.quantities.front());
   return result;
 }

@@ -1,7 +1,9 @@
 /// Tolerances at the ends of what has figures: one sample, tails that leave nothing of a length,
 /// tolerances as large as links, cams that are undercut.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -106,6 +108,31 @@ TEST(ToleranceLimits, ADesignWithAPointAtADeadPointHasNoFigures) {
 }
 
 /// The ram of a shaper by its links' own geometry: bar from the origin through the crank's pin.
+/// A knife on a cam of constant velocity: some of what is made rests on a corner, and a note says
+/// so.
+TEST(ToleranceLimits, CornersOfACamAreSaid) {
+  const auto notes = [](const std::string& law) {
+    const auto read = parse_task<CamProblem>(fmt::format(
+        "kind = \"cam\"\nfollower = {{type = \"translating-knife\"}}\nmotion = [{{law = \"{}\", "
+        "rise = 20, "
+        "over_deg = 120}}, {{law = \"dwell\", over_deg = 60}}, {{law = \"{}\", rise = -20, "
+        "over_deg = "
+        "120}}, {{law = \"dwell\", over_deg = 60}}]\nmechanism = {{base_radius = 50, offset = 5}}\n"
+        "tolerance = {{base_radius = 0.1, offset = 0.5, samples = 200}}\n",
+        law, law));
+    if (!read) {
+      ADD_FAILURE() << read.error().front().message;
+      return false;
+    }
+    const auto result = solve(*read, {.threads = 1});
+    const auto& all = result.designs.at(0).tolerance.value().notes;
+    return std::ranges::any_of(
+        all, [](const std::string& note) { return note.find("corner") != std::string::npos; });
+  };
+  EXPECT_TRUE(notes("constant-velocity"));
+  EXPECT_FALSE(notes("cycloidal"));
+}
+
 TEST(ToleranceLimits, AShaperThatIsDesignedHasTolerances) {
   const auto read = parse_task<QuickReturnProblem>(
       "kind = \"quick-return\"\n[target]\ntime_ratio = 1.8587624499578357\n[mechanism]\n"
