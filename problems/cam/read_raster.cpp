@@ -51,8 +51,8 @@ void free_face_offset(TableReader& document, CamProblem& problem) {
   if (problem.raster->has(key) && !is_given) problem.length(kFace).given.reset();
 }
 
-/// Faults the key of a length that is given.
-void check_open(TableReader& document, const CamProblem& problem) {
+/// Faults the key of a length that `[mechanism]` or `[follower]` gives.
+void check_not_given(TableReader& document, const CamProblem& problem) {
   TableReader table = document.table(kRaster);
   for (const auto& [name, dimension] : names<CamDimension>()) {
     const auto& given = problem.length(dimension).given;
@@ -112,7 +112,7 @@ void read_cam_raster(TableReader& document, CamProblem& problem) {
   problem.raster = read_raster(document, keys_of(problem), cam_raster_refusal(problem));
   if (!problem.raster) return;
   free_face_offset(document, problem);
-  check_open(document, problem);
+  check_not_given(document, problem);
 }
 
 void check_cam_raster(TableReader& document, const CamProblem& problem) {

@@ -213,8 +213,7 @@ void note_corners(const cam::MotionProgramme& programme, ToleranceResult& result
   if (!has_corners || result.assembled == result.samples) return;
   result.notes.emplace_back(
       "where the velocity jumps the cam has a corner; samples whose follower would rest on it "
-      "count "
-      "as not assembled, so that yield and quantiles are worse than those of the parts");
+      "count as not assembled, so that yield and quantiles are worse than those of the parts");
 }
 
 void allocate(const ChangedCam& cam, const Tolerances& tolerances,

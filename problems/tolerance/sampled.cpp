@@ -67,6 +67,7 @@ void add_histogram(const std::vector<double>& sorted, ToleranceFigures& figures)
 }  // namespace
 
 void note_samples(ToleranceResult& result) {
+  if (result.samples == 0) return;
   const auto count = static_cast<double>(result.samples);
   const auto beyond = std::ranges::find_if(
       kShares, [&](double share) { return std::ceil(share * count) == count; });

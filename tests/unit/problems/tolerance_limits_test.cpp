@@ -107,18 +107,18 @@ TEST(ToleranceLimits, ADesignWithAPointAtADeadPointHasNoFigures) {
   }
 }
 
-/// The ram of a shaper by its links' own geometry: bar from the origin through the crank's pin.
-/// A knife on a cam of constant velocity: some of what is made rests on a corner, and a note says
-/// so.
+/// Some of the knives that are made would rest on a corner of a cam of constant velocity.
 TEST(ToleranceLimits, CornersOfACamAreSaid) {
   const auto notes = [](const std::string& law) {
     const auto read = parse_task<CamProblem>(fmt::format(
-        "kind = \"cam\"\nfollower = {{type = \"translating-knife\"}}\nmotion = [{{law = \"{}\", "
-        "rise = 20, "
-        "over_deg = 120}}, {{law = \"dwell\", over_deg = 60}}, {{law = \"{}\", rise = -20, "
-        "over_deg = "
-        "120}}, {{law = \"dwell\", over_deg = 60}}]\nmechanism = {{base_radius = 50, offset = 5}}\n"
-        "tolerance = {{base_radius = 0.1, offset = 0.5, samples = 200}}\n",
+        R"(
+          kind = "cam"
+          follower = {{type = "translating-knife"}}
+          motion = [{{law = "{}", rise = 20, over_deg = 120}}, {{law = "dwell", over_deg = 60}},
+                    {{law = "{}", rise = -20, over_deg = 120}}, {{law = "dwell", over_deg = 60}}]
+          mechanism = {{base_radius = 50, offset = 5}}
+          tolerance = {{base_radius = 0.1, offset = 0.5, samples = 200}}
+        )",
         law, law));
     if (!read) {
       ADD_FAILURE() << read.error().front().message;
@@ -133,6 +133,7 @@ TEST(ToleranceLimits, CornersOfACamAreSaid) {
   EXPECT_FALSE(notes("cycloidal"));
 }
 
+/// The ram by the links' own geometry: the bar from the origin through the crank's pin.
 TEST(ToleranceLimits, AShaperThatIsDesignedHasTolerances) {
   const auto read = parse_task<QuickReturnProblem>(
       "kind = \"quick-return\"\n[target]\ntime_ratio = 1.8587624499578357\n[mechanism]\n"
@@ -153,6 +154,27 @@ TEST(ToleranceLimits, AShaperThatIsDesignedHasTolerances) {
   };
   const double slope = (place(0.125 + 1e-6) - place(0.125 - 1e-6)) / 2e-6;
   EXPECT_NEAR(std::abs(ram.contributions.at(0).sensitivity), std::abs(slope), 1e-6);
+}
+
+TEST(ToleranceLimits, NotesSayWhereFiguresMeanLittle) {
+  const auto says = [](const std::string& tolerance, const std::string& word) {
+    const auto result = of_analysis(kRocker, tolerance);
+    return std::ranges::any_of(result.notes, [&](const std::string& note) {
+      return note.find(word) != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(says("length = 0.1\nsamples = 1", "1 sample is too few for the quantile of 50 %"));
+  EXPECT_TRUE(
+      says("length = 0.1\nsamples = 99", "99 samples are too few for the quantile of 99 %"));
+  EXPECT_TRUE(says("length = 0.1\nsamples = 999", "quantile of 99.9 %"));
+  EXPECT_FALSE(says("length = 0.1\nsamples = 1000", "too few"));
+  EXPECT_FALSE(says("length = 0.1\nsamples = 0", "too few"));
+  EXPECT_TRUE(says("samples = 0\nclearance = {B = 40}", "clearance of B"));
+  EXPECT_FALSE(says("samples = 0\nclearance = {B = 39}", "clearance of B"));
+  const std::string limit = "length = 0.1\nsamples = 0\nallocate = {limit_deg = ";
+  EXPECT_TRUE(
+      says(limit + "1e6}", "tolerance.allocate gives frame, crank, coupler, rocker are as"));
+  EXPECT_FALSE(says(limit + "1}", "are as large as"));
 }
 
 TEST(ToleranceLimits, ACamOfNoRadiusIsRefusedAndOneUndercutHasNoWorstCase) {
