@@ -156,6 +156,29 @@ TEST(ToleranceLimits, AShaperThatIsDesignedHasTolerances) {
   EXPECT_NEAR(std::abs(ram.contributions.at(0).sensitivity), std::abs(slope), 1e-6);
 }
 
+/// Boxes of two dyads' dimensions are not settled within the effort allowed.
+TEST(ToleranceLimits, AWorstCaseThatWasNotFoundIsSaid) {
+  const auto result = of_analysis(
+      R"(
+        type = "chain"
+        pivot = [{name = "A", at = [0, 0.275]}, {name = "C", at = [0, 0]}]
+        crank = {at = "A", pin = "B", length = 0.125}
+        dyad = [{type = "RPR", joins = ["B", "C"], names = ["block", "bar"]},
+                {type = "RRP", joins = ["D"], lengths = [0.15], new = "E", slide = {through = [0, 0.567], direction_deg = 180}}]
+        point = [{name = "D", on = "bar", at = [0.6, 0]}]
+      )",
+      "length = 0.01\nsamples = 0");
+  std::size_t missing = 0;
+  for (const ToleranceFigures& figures : result.quantities) {
+    const std::string said = figures.name + ": the exact worst case was not found";
+    const bool is_said = std::ranges::any_of(
+        result.notes, [&](const std::string& note) { return note.starts_with(said); });
+    EXPECT_EQ(is_said, !figures.exact) << figures.name;
+    missing += figures.exact ? 0 : 1;
+  }
+  EXPECT_GT(missing, 0u);
+}
+
 TEST(ToleranceLimits, NotesSayWhereFiguresMeanLittle) {
   const auto says = [](const std::string& tolerance, const std::string& word) {
     const auto result = of_analysis(kRocker, tolerance);
