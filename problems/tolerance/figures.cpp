@@ -1,6 +1,6 @@
 #include "problems/tolerance/figures.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -197,12 +197,16 @@ void note_nonlinear(const ToleranceFigures& figures, std::vector<std::string>& n
       figures.name, 100 * (at.linear - exact) / exact));
 }
 
-/// That the exact worst case is not known, unless a dead point is why.
-void note_inexact(const ToleranceFigures& figures, std::vector<std::string>& notes) {
-  if (figures.exact) return;
+/// Of which quantities the exact worst case is not known, unless a dead point is why.
+void note_inexact(const std::vector<ToleranceFigures>& all, std::vector<std::string>& notes) {
+  std::vector<std::string> names;
+  for (const ToleranceFigures& figures : all) {
+    if (!figures.exact) names.push_back(figures.name);
+  }
+  if (names.empty()) return;
   notes.push_back(fmt::format(
       "{}: the exact worst case was not found within the effort allowed, only that of first order",
-      figures.name));
+      fmt::join(names, ", ")));
 }
 
 /// From radians to degrees.
@@ -335,8 +339,8 @@ ToleranceResult tolerance_figures(const NamedMechanism& mechanism, const Toleran
     for (std::size_t q = 0; q < question.quantities.size(); ++q) {
       result.quantities.push_back(maker.figures(q));
       note_nonlinear(result.quantities.back(), result.notes);
-      if (!dead) note_inexact(result.quantities.back(), result.notes);
     }
+    if (!dead) note_inexact(result.quantities, result.notes);
     if (judged) {
       add_clearances(mechanism, tolerances, question, *judged, result);
       add_allocation(*toleranced, tolerances, question, *judged, maker.table(), result);

@@ -41,7 +41,7 @@ export class ToleranceCard {
     this.band = element("div", {});
     this.spread = element("div", { id: "tolerance-histogram" });
     this.sliders = element("div", { class: "tolerance-sliders" });
-    this.note = element("p", { class: "muted" });
+    this.note = element("div", { class: "muted tolerance-notes" });
     this.root = element("section", { class: "card", id: "tolerances", "aria-labelledby": "tolerances-title", hidden: "" },
       element("div", { class: "card-head" }, element("h2", { id: "tolerances-title" }, say("tolerance.title")), this.choice), this.facts,
       element("div", { class: "plots" }, this.bars, this.band, element("div", { class: "plot", id: "tolerance-spread" }, element("h3", {}, say("tolerance.histogram")), this.spread)), this.sliders, this.note);
@@ -107,7 +107,8 @@ export class ToleranceCard {
       ...(quantity.judged && tolerance.clearance_linear !== undefined ? [["tolerance.clearance", valueText(tolerance.clearance_linear, quantity)]] : []),
       ...(tolerance.samples ? [["tolerance.samples", say("tolerance.assembled", { n: tolerance.samples, assembled: tolerance.assembled.toLocaleString() })]] : [])];
     this.facts.replaceChildren(...rows.map(([key, value]) => element("div", {}, ...fact(say(key), value))));
-    this.note.textContent = [...(tolerance.refused ? [tolerance.refused] : []), ...(tolerance.notes ?? [])].map((text) => sentence(sentenceOf(text))).join(" ");
+    const notes = [...(tolerance.refused ? [tolerance.refused] : []), ...(tolerance.notes ?? [])];
+    this.note.replaceChildren(...notes.map((text) => element("p", {}, sentence(sentenceOf(text)))));
   }
 
   // The positions in the order of the drive.
