@@ -7,128 +7,155 @@ namespace {
 
 constexpr int kMostSteps = 30;
 constexpr double kMet = 1e-14;
-
-/// A point of the curve on which the follower's own point lies, as the frame has it at one cam
-/// angle, with its derivative by where it is along the curve.
-struct CurvePlace {
-  Vec2d at;
-  Vec2d tangent;
-  double stretch = 1;  ///< of the tangent by the raise; not positive beyond an undercut
-};
+/// Newton's steps square what they leave: after one from a miss and with a way within these, the
+/// rest is rounding.
+constexpr double kNearlyMet = 1e-9, kShortWay = 1e-7;
+constexpr double kLongestStep = 0.1;
 
 Vec2d turned(double angle) {
   return {std::cos(angle), std::sin(angle)};
-}
-
-/// The roller's centre where it touches the raised profile at the normal of cam angle `along`, the
-/// cam standing at `angle`.
-CurvePlace roller_place(const Cam& cam, double raise, double along, double angle) {
-  const auto state = roller_state(cam.system.follower, cam.system.start, cam.programme.at(along));
-  const double length = norm(state.tangent);
-  const Vec2d normal = (1 / length) * perp(state.tangent);
-  const Vec2d turn = turned(angle - along);
-  const double stretch = 1 + raise * pitch_curvature(state);
-  return {turn * (state.centre + raise * normal), stretch * (turn * state.tangent), stretch};
-}
-
-/// Newton's steps from `along` until `miss(along)` = {value, derivative} vanishes, relative to
-/// `size`.
-template <class Miss>
-std::optional<double> solved(const Miss& miss, double along, double size) {
-  constexpr double kLongestStep = 0.1;
-  for (int step = 0; step < kMostSteps; ++step) {
-    const auto [value, rate] = miss(along);
-    if (!std::isfinite(value) || !std::isfinite(rate) || rate == 0) return std::nullopt;
-    const double way = -value / rate;
-    along += std::abs(way) > kLongestStep ? std::copysign(kLongestStep, way) : way;
-    if (std::abs(value) <= kMet * size) return along;
-  }
-  return std::nullopt;
 }
 
 struct Residual {
   double value, rate;
 };
 
-std::optional<double> of_translating_roller(const Cam& cam, const CamDimensions<double>& changes,
-                                            double angle) {
-  const auto& d = cam.system.follower.dimensions;
-  const double raise = changes.base_radius + changes.roller_radius;
-  const double offset = d.offset + changes.offset;
-  const auto along = solved(
-      [&](double at) {
-        const CurvePlace place = roller_place(cam, raise, at, angle);
-        return Residual{place.at.x - offset, place.tangent.x};
-      },
-      angle, d.base_radius);
-  if (!along) return std::nullopt;
-  const CurvePlace place = roller_place(cam, raise, *along, angle);
-  if (!(place.stretch > 0)) return std::nullopt;
-  return place.at.y - (cam.system.start + cam.programme.at(angle).displacement);
-}
+/// One of Newton's steps for a residual that is to vanish relative to `size`.
+struct NewtonStep {
+  double way = 0;
+  bool is_last = false;
+};
 
-std::optional<double> of_oscillating_roller(const Cam& cam, const CamDimensions<double>& changes,
-                                            double angle) {
-  const auto& d = cam.system.follower.dimensions;
-  const double raise = changes.base_radius + changes.roller_radius;
-  const double arm = d.arm + changes.arm;
-  const Vec2d pivot{0, d.centre_distance + changes.centre_distance};
-  const auto along = solved(
-      [&](double at) {
-        const CurvePlace place = roller_place(cam, raise, at, angle);
-        const Vec2d reach = place.at - pivot;
-        const double length = norm(reach);
-        return Residual{length - arm, dot(reach, place.tangent) / length};
-      },
-      angle, d.arm);
-  if (!along) return std::nullopt;
-  const CurvePlace contact = roller_place(cam, raise, *along, angle);
-  if (!(contact.stretch > 0)) return std::nullopt;
-  const Vec2d reach = contact.at - pivot;
-  const double place = std::atan2(-sign_of(cam.system.follower.side) * reach.x, -reach.y);
-  return place - (cam.system.start + cam.programme.at(angle).displacement);
-}
-
-/// The face at angle θ has the normal (−sign cos θ, sin θ) and lies a sin θ − f from the centre: so
-/// far as the raised profile reaches along that normal.
-std::optional<double> of_oscillating_face(const Cam& cam, const CamDimensions<double>& changes,
-                                          double angle) {
-  const auto& d = cam.system.follower.dimensions;
-  const double sign = sign_of(cam.system.follower.side);
-  const double distance = d.centre_distance + changes.centre_distance;
-  const double face = d.face_offset + changes.face_offset;
-  const auto place_at = [&](double along) {
-    return cam.system.start + cam.programme.at(along).displacement + sign * (along - angle);
-  };
-  const auto along = solved(
-      [&](double at) {
-        const auto motion = cam.programme.at(at);
-        const double own = cam.system.start + motion.displacement, place = place_at(at);
-        const double turn = 1 + sign * motion.velocity;  // of the normal as the cam has it
-        const double reach = d.centre_distance * std::sin(own) - d.face_offset;
-        return Residual{reach + changes.base_radius - (distance * std::sin(place) - face),
-                        d.centre_distance * std::cos(own) * motion.velocity -
-                            sign * distance * std::cos(place) * turn};
-      },
-      angle, d.centre_distance);
-  if (!along) return std::nullopt;
-  return place_at(*along) - (cam.system.start + cam.programme.at(angle).displacement);
+/// Empty where the residual leads nowhere.
+std::optional<NewtonStep> newton_step(const Residual& miss, double size) {
+  if (!std::isfinite(miss.value) || !std::isfinite(miss.rate) || miss.rate == 0) return {};
+  const double way = -miss.value / miss.rate, left = std::abs(miss.value);
+  if (std::abs(way) > kLongestStep) return NewtonStep{std::copysign(kLongestStep, way), false};
+  const bool is_near = left <= kNearlyMet * size && std::abs(way) <= kShortWay;
+  return NewtonStep{way, is_near || left <= kMet * size};
 }
 
 }  // namespace
 
-std::optional<double> misplacement(const Cam& cam, const CamDimensions<double>& changes,
-                                   double angle) {
-  switch (cam.system.follower.type) {
+/// A point of the curve on which the follower's own point lies, as the frame has it, with its
+/// derivative by where it is along the curve.
+struct ChangedFollower::CurvePlace {
+  Vec2d at;
+  Vec2d tangent;
+  double stretch = 1;  ///< of the tangent by the raise; not positive beyond an undercut
+};
+
+ChangedFollower::ChangedFollower(const Cam& cam, double angle)
+    : cam_(cam), angle_(angle), motion_(cam.programme.at(angle)) {
+  if (!is_flat(cam.system.follower.type)) {
+    state_ = roller_state(cam.system.follower, cam.system.start, motion_);
+  }
+}
+
+/// The roller's centre where it touches the raised profile at the normal of a state, turned into
+/// the frame.
+ChangedFollower::CurvePlace ChangedFollower::raised(const RollerState<double>& state, double raise,
+                                                    const Vec2d& turn) const {
+  const Vec2d normal = (1 / std::sqrt(squared_norm(state.tangent))) * perp(state.tangent);
+  const double stretch = 1 + raise * pitch_curvature(state);
+  return {turn * (state.centre + raise * normal), stretch * (turn * state.tangent), stretch};
+}
+
+/// At the normal of the cam angle `along`, the cam standing at its angle.
+ChangedFollower::CurvePlace ChangedFollower::raised_at(double along, double raise) const {
+  const auto state =
+      roller_state(cam_.system.follower, cam_.system.start, cam_.programme.at(along));
+  return raised(state, raise, turned(angle_ - along));
+}
+
+/// Newton's steps along the raised curve, from where the roller touches as designed, until
+/// `miss(place)` vanishes relative to `size`. Empty where it does not, or the curve is undercut.
+template <class Miss>
+std::optional<Vec2d> ChangedFollower::touching(double raise, double size, const Miss& miss) const {
+  double along = angle_;
+  CurvePlace place = raised(state_, raise, {1, 0});
+  for (int step = 0; step < kMostSteps; ++step) {
+    const auto next = newton_step(miss(place), size);
+    if (!next) return std::nullopt;
+    if (next->is_last) {
+      if (!(place.stretch > 0)) return std::nullopt;
+      return place.at + next->way * place.tangent;
+    }
+    along += next->way;
+    place = raised_at(along, raise);
+  }
+  return std::nullopt;
+}
+
+std::optional<double> ChangedFollower::of_translating_roller(
+    const CamDimensions<double>& changes) const {
+  const auto& d = cam_.system.follower.dimensions;
+  const double offset = d.offset + changes.offset;
+  const auto centre = touching(changes.base_radius + changes.roller_radius, d.base_radius,
+                               [&](const CurvePlace& place) {
+                                 return Residual{place.at.x - offset, place.tangent.x};
+                               });
+  if (!centre) return std::nullopt;
+  return centre->y - (cam_.system.start + motion_.displacement);
+}
+
+std::optional<double> ChangedFollower::of_oscillating_roller(
+    const CamDimensions<double>& changes) const {
+  const auto& d = cam_.system.follower.dimensions;
+  const double arm = d.arm + changes.arm;
+  const Vec2d pivot{0, d.centre_distance + changes.centre_distance};
+  const auto centre =
+      touching(changes.base_radius + changes.roller_radius, d.arm, [&](const CurvePlace& place) {
+        const Vec2d reach = place.at - pivot;
+        const double length = std::sqrt(squared_norm(reach));
+        return Residual{length - arm, dot(reach, place.tangent) / length};
+      });
+  if (!centre) return std::nullopt;
+  const Vec2d reach = *centre - pivot;
+  const double place = std::atan2(-sign_of(cam_.system.follower.side) * reach.x, -reach.y);
+  return place - (cam_.system.start + motion_.displacement);
+}
+
+/// The face at angle θ has the normal (−sign cos θ, sin θ) and lies a sin θ − f from the centre: so
+/// far as the raised profile reaches along that normal.
+std::optional<double> ChangedFollower::of_oscillating_face(
+    const CamDimensions<double>& changes) const {
+  const auto& d = cam_.system.follower.dimensions;
+  const double sign = sign_of(cam_.system.follower.side);
+  const double distance = d.centre_distance + changes.centre_distance;
+  const double face = d.face_offset + changes.face_offset;
+  double along = angle_;
+  FollowerMotion<double> motion = motion_;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const double own = cam_.system.start + motion.displacement;
+    const double place = own + sign * (along - angle_);
+    const double turn = 1 + sign * motion.velocity;  // of the normal as the cam has it
+    const double reach = d.centre_distance * std::sin(own) - d.face_offset;
+    const Residual miss{reach + changes.base_radius - (distance * std::sin(place) - face),
+                        d.centre_distance * std::cos(own) * motion.velocity -
+                            sign * distance * std::cos(place) * turn};
+    const auto next = newton_step(miss, d.centre_distance);
+    if (!next) return std::nullopt;
+    if (next->is_last) {
+      return place + sign * turn * next->way - (cam_.system.start + motion_.displacement);
+    }
+    along += next->way;
+    motion = cam_.programme.at(along);
+  }
+  return std::nullopt;
+}
+
+std::optional<double> ChangedFollower::misplacement(const CamDimensions<double>& changes) const {
+  switch (cam_.system.follower.type) {
     case FollowerType::translating_flat:
       return changes.base_radius;
     case FollowerType::oscillating_flat:
-      return of_oscillating_face(cam, changes, angle);
+      return of_oscillating_face(changes);
     case FollowerType::oscillating_roller:
     case FollowerType::oscillating_knife:
-      return of_oscillating_roller(cam, changes, angle);
+      return of_oscillating_roller(changes);
     default:
-      return of_translating_roller(cam, changes, angle);
+      return of_translating_roller(changes);
   }
 }
 

@@ -347,6 +347,12 @@ CamProblem in_unit_of_lengths(CamProblem problem) {
   return problem;
 }
 
+/// Share of a run, for progress, after which samples are drawn from tolerances.
+double found_share(const CamProblem& problem) {
+  constexpr double kFound = 0.2;
+  return problem.tolerances && problem.tolerances->samples > 0 ? kFound : 1;
+}
+
 Status status_of(const CamResult& result, const Deadline& deadline) {
   if (deadline.interrupted()) return Status::interrupted;
   if (deadline.expired()) return Status::time_limit;
@@ -373,11 +379,13 @@ CamResult solve(const CamProblem& given, const Run& run) {
   }
   const bool still = problem.free_motion.empty();
   const auto impossibility = still ? motion_impossibility(problem, *programme) : std::nullopt;
+  const double found = found_share(problem);
+  const Run finding = part_of(run, 0, found);
   if (!impossibility) {
     if (problem.raster) {
-      solve_on_raster(problem, *programme, run, deadline, result);
+      solve_on_raster(problem, *programme, finding, deadline, result);
     } else {
-      CamSolver(problem, *programme, run, deadline, result).solve();
+      CamSolver(problem, *programme, finding, deadline, result).solve();
     }
   }
   const auto all =
@@ -391,7 +399,7 @@ CamResult solve(const CamProblem& given, const Run& run) {
     result.notes.emplace_back(
         "No cam of these lengths can be put together with its follower; wider bounds may help.");
   }
-  add_tolerances(problem, run, deadline, result);
+  add_tolerances(problem, part_of(run, found, 1), deadline, result);
   result.work.seconds = deadline.spent();
   return result;
 }

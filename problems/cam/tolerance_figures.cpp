@@ -25,7 +25,7 @@
 namespace cognate::problems {
 namespace {
 
-constexpr int kPositions = 360;
+constexpr std::size_t kPositions = 360;
 constexpr std::size_t kMostCams = 10;
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
@@ -34,10 +34,17 @@ constexpr std::array<double Dimensions::*, kCamDimensions> kMembers = {
     &Dimensions::base_radius,     &Dimensions::offset, &Dimensions::roller_radius,
     &Dimensions::centre_distance, &Dimensions::arm,    &Dimensions::face_offset};
 
+/// Of the cam.
+double angle_at(std::size_t position) {
+  return kTurn * double(position) / double(kPositions);
+}
+
 /// A cam whose dimensions may be off, and where its follower then stands.
 class ChangedCam {
  public:
-  ChangedCam(const CamProblem& problem, const cam::Cam& cam) : problem_(problem), cam_(cam) {}
+  ChangedCam(const CamProblem& problem, const cam::Cam& cam) : problem_(problem), cam_(cam) {
+    for (std::size_t k = 0; k < kPositions; ++k) followers_.emplace_back(cam, angle_at(k));
+  }
 
   /// Takes the dimensions that have a tolerance; what is wrong with it.
   std::optional<std::string> take() {
@@ -54,14 +61,14 @@ class ChangedCam {
 
   const std::vector<TolerancedDimension>& dimensions() const { return dimensions_; }
 
-  double place(std::span<const double> changes, double angle) const {
+  double place(std::span<const double> changes, std::size_t position) const {
     Dimensions change{};
     for (std::size_t i = 0; i < members_.size(); ++i) change.*kMembers[members_[i]] = changes[i];
-    return cam::misplacement(cam_, change, angle).value_or(kMissing);
+    return followers_[position].misplacement(change).value_or(kMissing);
   }
 
-  std::vector<double> rates(double angle) const {
-    const auto all = cam::misplacement_rates(cam_, angle);
+  std::vector<double> rates(std::size_t position) const {
+    const auto all = cam::misplacement_rates(cam_, angle_at(position));
     std::vector<double> own;
     for (const std::size_t member : members_) own.push_back(all[member]);
     return own;
@@ -72,18 +79,19 @@ class ChangedCam {
   const cam::Cam& cam_;
   std::vector<TolerancedDimension> dimensions_;
   std::vector<std::size_t> members_;
+  std::vector<cam::ChangedFollower> followers_;  ///< at each position
 };
 
 /// The greatest of `sense`·place over the box: each dimension at one of its ends, or between them
 /// where the golden section finds more.
-double greatest(const ChangedCam& cam, double angle, double sense, std::vector<double>& changes,
-                std::size_t dimension) {
+double greatest(const ChangedCam& cam, std::size_t position, double sense,
+                std::vector<double>& changes, std::size_t dimension) {
   constexpr int kSteps = 40;
   const auto& dimensions = cam.dimensions();
-  if (dimension == dimensions.size()) return sense * cam.place(changes, angle);
+  if (dimension == dimensions.size()) return sense * cam.place(changes, position);
   const auto at = [&](double change) {
     changes[dimension] = change;
-    return greatest(cam, angle, sense, changes, dimension + 1);
+    return greatest(cam, position, sense, changes, dimension + 1);
   };
   const double low = -dimensions[dimension].deviation.minus;
   const double high = dimensions[dimension].deviation.plus;
@@ -97,7 +105,8 @@ double greatest(const ChangedCam& cam, double angle, double sense, std::vector<d
   return std::max(most, -best.least());
 }
 
-PositionFigures figures_at(const ChangedCam& cam, const std::vector<double>& rates, double angle) {
+PositionFigures figures_at(const ChangedCam& cam, const std::vector<double>& rates,
+                           std::size_t position) {
   PositionFigures at;
   double high = 0, low = 0, squares = 0;
   for (std::size_t i = 0; i < rates.size(); ++i) {
@@ -110,8 +119,8 @@ PositionFigures figures_at(const ChangedCam& cam, const std::vector<double>& rat
   at.linear = std::max(high, -low);
   at.rss = std::sqrt(squares);
   std::vector<double> changes(rates.size());
-  at.high = greatest(cam, angle, 1, changes, 0);
-  at.low = -greatest(cam, angle, -1, changes, 0);
+  at.high = greatest(cam, position, 1, changes, 0);
+  at.low = -greatest(cam, position, -1, changes, 0);
   return at;
 }
 
@@ -147,34 +156,35 @@ struct CamSums {
   std::vector<double> extremes;
 };
 
-void sample(const ChangedCam& cam, const Tolerances& tolerances, const std::vector<double>& angles,
-            const Run& run, const Deadline& deadline, ToleranceResult& result) {
+void sample(const ChangedCam& cam, const Tolerances& tolerances, const Run& run,
+            const Deadline& deadline, ToleranceResult& result) {
   constexpr std::size_t kPiece = 1024;
   const auto count = static_cast<std::size_t>(tolerances.samples);
   const std::size_t pieces = (count + kPiece - 1) / kPiece;
   std::vector<CamSums> sums(pieces);
   std::vector<std::size_t> drawn(pieces);
   const std::size_t dimensions = cam.dimensions().size();
-  parallel_for(static_cast<int>(pieces), run.threads, [&](int index, int /*thread*/) {
+  parallel_for(static_cast<int>(pieces), run.threads, [&](int index, int thread) {
     if (deadline.reached()) return;
+    if (thread == 0 && run.progress) run.progress(double(index) / double(pieces), kInfinity);
     const auto piece = static_cast<std::size_t>(index);
     CamSums& own = sums[piece];
     const std::size_t first = piece * kPiece, size = std::min(kPiece, count - first);
-    std::vector<double> changes(dimensions * size), one(dimensions), places(angles.size());
+    std::vector<double> changes(dimensions * size), one(dimensions), places(kPositions);
     draw_changes(cam.dimensions(), tolerances.distribution, run.seed, first, size, changes);
     reject_lost_lengths(cam.dimensions(), size, changes);
     drawn[piece] = size;
     for (std::size_t i = 0; i < size; ++i) {
       for (std::size_t d = 0; d < dimensions; ++d) one[d] = changes[d * size + i];
       double extreme = 0;
-      for (std::size_t s = 0; s < angles.size(); ++s) {
-        places[s] = cam.place(one, angles[s]);
+      for (std::size_t s = 0; s < kPositions; ++s) {
+        places[s] = cam.place(one, s);
         extreme = std::isnan(places[s]) ? kMissing : std::max(std::abs(places[s]), extreme);
         if (std::isnan(extreme)) break;
       }
       if (std::isnan(extreme)) continue;
       own.extremes.push_back(extreme);
-      for (std::size_t s = 0; s < angles.size(); ++s) {
+      for (std::size_t s = 0; s < kPositions; ++s) {
         own.sum[s] += places[s];
         own.square[s] += places[s] * places[s];
       }
@@ -184,7 +194,7 @@ void sample(const ChangedCam& cam, const Tolerances& tolerances, const std::vect
   for (std::size_t piece = 0; piece < pieces; ++piece) {
     result.samples += drawn[piece];
     std::ranges::copy(sums[piece].extremes, std::back_inserter(all.extremes));
-    for (std::size_t s = 0; s < angles.size(); ++s) {
+    for (std::size_t s = 0; s < kPositions; ++s) {
       all.sum[s] += sums[piece].sum[s];
       all.square[s] += sums[piece].square[s];
     }
@@ -192,7 +202,7 @@ void sample(const ChangedCam& cam, const Tolerances& tolerances, const std::vect
   result.assembled = all.extremes.size();
   const auto assembled = static_cast<double>(all.extremes.size());
   ToleranceFigures& figures = result.quantities.front();
-  for (std::size_t s = 0; s < angles.size(); ++s) {
+  for (std::size_t s = 0; s < kPositions; ++s) {
     PositionFigures& at = figures.positions[s];
     const double excess = all.square[s] - all.sum[s] * all.sum[s] / assembled;
     at.mean = assembled > 0 ? all.sum[s] / assembled : kMissing;
@@ -284,13 +294,11 @@ ToleranceResult tolerances_of(const CamProblem& problem, const CamDesign& design
     result.dimensions.push_back({name, nominal, deviation.plus, deviation.minus});
   }
   ToleranceFigures figures{.name = "follower", .angle = angle, .judged = true};
-  std::vector<double> angles;
   std::vector<std::vector<double>> rates;
-  for (int k = 0; k < kPositions; ++k) {
-    angles.push_back(kTurn * k / kPositions);
-    result.drive.push_back(360.0 * k / kPositions);
-    rates.push_back(cam.rates(angles.back()));
-    figures.positions.push_back(figures_at(cam, rates.back(), angles.back()));
+  for (std::size_t k = 0; k < kPositions; ++k) {
+    result.drive.push_back(360.0 * double(k) / double(kPositions));
+    rates.push_back(cam.rates(k));
+    figures.positions.push_back(figures_at(cam, rates.back(), k));
   }
   figures.worst = worst_of(figures, [](const PositionFigures& at) { return at.linear; });
   figures.worst_exact = worst_of(figures, [](const PositionFigures& at) {
@@ -305,7 +313,7 @@ ToleranceResult tolerances_of(const CamProblem& problem, const CamDesign& design
   result.quantities.push_back(std::move(figures));
   allocate(cam, tolerances, rates, angle, result);
   if (tolerances.samples > 0) {
-    sample(cam, tolerances, angles, run, deadline, result);
+    sample(cam, tolerances, run, deadline, result);
     note_corners(design.cam.programme, result);
   }
   if (angle) to_degrees(result.quantities.front());
@@ -317,10 +325,12 @@ ToleranceResult tolerances_of(const CamProblem& problem, const CamDesign& design
 void add_tolerances(const CamProblem& problem, const Run& run, const Deadline& deadline,
                     CamResult& result) {
   if (!problem.tolerances) return;
-  run.enter(Phase::tolerances, kUnknownEnd);
-  for (std::size_t i = 0; i < std::min(result.designs.size(), kMostCams); ++i) {
+  run.enter(Phase::tolerances, 1);
+  const std::size_t count = std::min(result.designs.size(), kMostCams);
+  for (std::size_t i = 0; i < count; ++i) {
     CamDesign& design = result.designs[i];
-    design.tolerance = tolerances_of(problem, design, run, deadline);
+    const Run part = part_of(run, double(i) / double(count), double(i + 1) / double(count));
+    design.tolerance = tolerances_of(problem, design, part, deadline);
     std::ranges::move(tolerance_quantities(*design.tolerance), std::back_inserter(design.metrics));
   }
   if (problem.second.closure != cam::Closure::force) {

@@ -14,6 +14,8 @@
 #include "problems/chain/raster_descent.hpp"
 #include "problems/chain/refine.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/raster/run_parts.hpp"
+#include "problems/raster/shared_work.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -27,6 +29,10 @@ constexpr int kRelaxedIterations = 60;
 constexpr double kChainFeasibility = 1e-9;  ///< of a cosine
 /// Of a target that may be moved: minima of one design at several directions and sizes.
 constexpr std::size_t kMovedMinima = 16;
+
+/// How many of the best combinations are each searched as a problem of its own, where dimensions
+/// are free beside the raster.
+constexpr std::size_t kSearchedChains = 6;
 
 class ChainRaster final : public synthesis::RasterTask {
  public:
@@ -56,6 +62,17 @@ class ChainRaster final : public synthesis::RasterTask {
       }
     }
     return minima;
+  }
+
+  /// The minima of one combination that a search begun with none known finds.
+  std::vector<RasterPoint> searched(const RasterNumbers& at, const Solve& options, const Run& run,
+                                    const Deadline& deadline, Work& work) const {
+    const std::vector<ScaledChain> single{within({at, at})};
+    std::vector<RasterPoint> points;
+    for (const ChainMinimum& one : search_chains(single, options, run, deadline, work).designs) {
+      points.push_back(point(one));
+    }
+    return relax({at, at}, points);
   }
 
   /// From the minima known, and from wherever the crank may be at the points.
@@ -249,13 +266,14 @@ RasterChainResult search_chain_raster(const ChainPathProblem& problem, const Sca
                                       const TargetScale& scale,
                                       const std::vector<ChainMinimum>& found,
                                       const ChainAcceptance& accepts, const Run& run,
-                                      const Deadline& deadline) {
+                                      const Deadline& deadline, Work& work) {
   const ChainRaster raster(*problem.raster, scaled, scale, accepts);
   std::vector<RasterPoint> from, known;
   synthesis::RasterOptions options{.feasibility = kChainFeasibility,
                                    .met = kMetExactly,
                                    .designs = static_cast<std::size_t>(problem.solve.designs),
                                    .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
+                                   .searched = kSearchedChains,
                                    .threads = run.threads,
                                    .deadline = &deadline,
                                    .progress = run.progress};
@@ -270,6 +288,14 @@ RasterChainResult search_chain_raster(const ChainPathProblem& problem, const Sca
     options.minima = kMovedMinima;
   } else {
     for (const ChainMinimum& one : found) from.push_back(raster.point(one));
+  }
+  SharedWork shared(work);
+  const Run alone = of_one_combination(run);
+  if (!scaled.is_movable && !raster.is_given_whole()) {
+    options.search = [&](const RasterNumbers& at) {
+      return shared.counted(
+          [&](Work& own) { return raster.searched(at, problem.solve, alone, deadline, own); });
+    };
   }
   RasterChainResult result;
   result.search = synthesis::search_raster(raster, from, options);

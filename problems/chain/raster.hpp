@@ -27,11 +27,13 @@ struct RasterChainResult {
 using ChainAcceptance = std::function<bool(const RasterChain& chain)>;
 
 /// Searches the raster of `problem`, which has one topology, from designs of the same problem
-/// without one; where the target may be moved, of `without_sizes` of it.
+/// without one; where the target may be moved, of `without_sizes` of it. Where it may not and
+/// dimensions are free beside the raster, the best combinations are searched as problems of their
+/// own too. Counts that in `work`.
 RasterChainResult search_chain_raster(const ChainPathProblem& problem, const ScaledChain& scaled,
                                       const TargetScale& scale,
                                       const std::vector<ChainMinimum>& found,
                                       const ChainAcceptance& accepts, const Run& run,
-                                      const Deadline& deadline);
+                                      const Deadline& deadline, Work& work);
 
 }  // namespace cognate::problems

@@ -93,8 +93,8 @@ void take_raster(const ChainPathProblem& problem, const TargetScale& scale,
     const Design design = design_of(chain);
     return std::isfinite(design.error.sum_of_squares) && all_satisfied(design.constraints);
   };
-  const auto found =
-      search_chain_raster(problem, scaled, scale, continuous, accepts, on_values(run), deadline);
+  const auto found = search_chain_raster(problem, scaled, scale, continuous, accepts,
+                                         on_values(run), deadline, result.work);
   result.designs.clear();
   for (const RasterChain& chain : found.designs) result.designs.push_back(design_of(chain));
   // The objective is the mean square.

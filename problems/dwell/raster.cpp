@@ -9,6 +9,8 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/chain/raster_axes.hpp"
+#include "problems/raster/run_parts.hpp"
+#include "problems/raster/shared_work.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -52,6 +54,10 @@ double scanned_start(const DwellSpace& space, const DwellDesign& design, double 
   }
   return start;
 }
+
+/// How many of the best combinations are each searched as a problem of its own, where more than the
+/// start of a dwell is free beside the raster.
+constexpr std::size_t kSearchedDwells = 6;
 
 class DwellRaster final : public synthesis::RasterTask {
  public:
@@ -109,6 +115,19 @@ class DwellRaster final : public synthesis::RasterTask {
   }
 
   bool accepts(const RasterPoint& point) const override { return accepts_(design(point)); }
+
+  /// The minima of one combination that a search begun with none known finds.
+  std::vector<RasterPoint> searched(const RasterNumbers& at, const Run& run, Work& work) const {
+    const std::vector<DwellSpace> single{within({at, at})};
+    std::vector<RasterPoint> points;
+    for (const DwellMinimum& found :
+         search_dwells(single, space_.problem->solve, run, deadline_, work).designs) {
+      // Combinations are compared: all are measured alike.
+      points.push_back(fitted_within(single.front(), found.design));
+    }
+    std::erase_if(points, [](const RasterPoint& point) { return !std::isfinite(point.objective); });
+    return points;
+  }
 
   RasterPoint point(const DwellMinimum& found) const {
     return point_of({found.design, found.half_band, found.violation});
@@ -226,7 +245,7 @@ void improve_relaxed(const DwellRaster& raster, synthesis::RasterResult& search)
 
 RasterDwells search_dwell_raster(const DwellSpace& space, const std::vector<DwellMinimum>& found,
                                  const DwellAcceptance& accepts, const Run& run,
-                                 const Deadline& deadline) {
+                                 const Deadline& deadline, Work& work) {
   const DwellRaster raster(space, accepts, deadline);
   std::vector<RasterPoint> from;
   for (const DwellMinimum& one : found) {
@@ -235,17 +254,24 @@ RasterDwells search_dwell_raster(const DwellSpace& space, const std::vector<Dwel
   RasterDwells result;
   if (from.empty()) return result;
   const DwellProblem& problem = *space.problem;
-  result.search =
-      synthesis::search_raster(raster, from,
-                               {.feasibility = kDwellFeasibility,
-                                .met = kNoBand,
-                                .designs = static_cast<std::size_t>(problem.solve.designs),
-                                .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
-                                .enumerate = kEvaluatedDwells,
-                                .minima = kDwellMinima,
-                                .threads = run.threads,
-                                .deadline = &deadline,
-                                .progress = run.progress});
+  synthesis::RasterOptions options{.feasibility = kDwellFeasibility,
+                                   .met = kNoBand,
+                                   .designs = static_cast<std::size_t>(problem.solve.designs),
+                                   .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
+                                   .enumerate = kEvaluatedDwells,
+                                   .minima = kDwellMinima,
+                                   .searched = kSearchedDwells,
+                                   .threads = run.threads,
+                                   .deadline = &deadline,
+                                   .progress = run.progress};
+  SharedWork shared(work);
+  const Run alone = of_one_combination(run);
+  if (!raster.is_given_whole()) {
+    options.search = [&](const RasterNumbers& at) {
+      return shared.counted([&](Work& own) { return raster.searched(at, alone, own); });
+    };
+  }
+  result.search = synthesis::search_raster(raster, from, options);
   result.search.is_enumerated = result.search.is_enumerated && raster.is_given_whole();
   improve_relaxed(raster, result.search);
   for (const RasterPoint& point : result.search.designs) {

@@ -19,10 +19,12 @@ struct RasterDwells {
 /// Whether a mechanism, in the file's unit, meets every limit. Called from many threads at once.
 using DwellAcceptance = std::function<bool(const DwellDesign& design)>;
 
-/// Searches the raster of the problem of `space` from minima of the same problem without one.
+/// Searches the raster of the problem of `space` from minima of the same problem without one. Where
+/// dimensions are free beside the raster, the best combinations are searched as problems of their
+/// own too. Counts that in `work`.
 RasterDwells search_dwell_raster(const DwellSpace& space, const std::vector<DwellMinimum>& found,
                                  const DwellAcceptance& accepts, const Run& run,
-                                 const Deadline& deadline);
+                                 const Deadline& deadline, Work& work);
 
 namespace reading {
 

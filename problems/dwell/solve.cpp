@@ -54,7 +54,7 @@ void solve_dwells_on_raster(const DwellProblem& problem, const DwellSpace& space
     return std::isfinite(design.error.sum_of_squares) && all_satisfied(design.constraints);
   };
   const RasterDwells best =
-      search_dwell_raster(space, found.designs, accepts, on_values(run), deadline);
+      search_dwell_raster(space, found.designs, accepts, on_values(run), deadline, result.work);
   for (const DwellDesign& one : best.designs) {
     result.designs.push_back(design_of(one));
     result.designs.back().origin = "raster";

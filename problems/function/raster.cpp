@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
@@ -21,6 +22,9 @@ namespace {
 using synthesis::RasterNumbers;
 using synthesis::RasterPoint;
 
+/// How many of the best combinations are each searched as a problem of its own, where lengths are
+/// free beside the raster.
+constexpr std::size_t kSearched = 16;
 /// Input start angles from which each combination is begun, where the file leaves them open.
 constexpr int kInputStarts = 12;
 
@@ -55,6 +59,15 @@ class FunctionForms {
 
   const std::vector<FunctionForm>& all() const { return forms_; }
 
+  /// The numbers of those of an assembly.
+  std::vector<int> of(Assembly assembly) const {
+    std::vector<int> alike;
+    for (std::size_t i = 0; i < forms_.size(); ++i) {
+      if (forms_[i].assembly == assembly) alike.push_back(static_cast<int>(i));
+    }
+    return alike;
+  }
+
  private:
   std::size_t number_of(Assembly assembly, const FunctionProblem& problem) {
     for (std::size_t i = 0; i < forms_.size(); ++i) {
@@ -72,7 +85,7 @@ class FunctionForms {
 };
 
 struct FunctionAxes {
-  std::vector<double Lengths<double>::*> lengths;
+  std::vector<const LinkKey*> links;
   std::vector<synthesis::RasterAxis> axes;
   std::vector<synthesis::AxisVariable> variables;
   bool is_whole = true;  ///< whether no other length is free
@@ -90,7 +103,7 @@ FunctionAxes axes_of(const FunctionProblem& problem) {
       all.is_whole = false;
       continue;
     }
-    all.lengths.push_back(kLinkKeys[i].length);
+    all.links.push_back(&kLinkKeys[i]);
     all.axes.push_back({std::string(kLinkKeys[i].key), values_within(*rule, ranges[i], ranges[i])});
     all.variables.push_back({.variable = variable, .is_logarithm = true});
   }
@@ -123,13 +136,35 @@ class FunctionRaster final : public synthesis::ModelRaster {
   /// Whether nothing but start angles is left beside the raster.
   bool is_given_whole() const { return is_given_whole_; }
 
+  /// A combination as a problem of its own, its lengths given.
+  FunctionProblem given_at(const RasterNumbers& at) const {
+    FunctionProblem given = problem_;
+    for (std::size_t i = 0; i < links_.size(); ++i) {
+      given.given.*links_[i]->given = axes()[i].values.at(at[i]);
+    }
+    return given;
+  }
+
+  /// A minimum of that problem, in each form it may be of.
+  std::vector<RasterPoint> points_of(const RasterNumbers& at,
+                                     const FunctionGenerator& minimum) const {
+    std::vector<RasterPoint> points;
+    for (const int form : forms_.of(minimum.assembly)) {
+      const FunctionModel& model = *forms_.all()[static_cast<std::size_t>(form)].model;
+      std::vector<double> x = model.variables_of(minimum);
+      place(at, x);
+      points.push_back(point(form, std::move(x)));
+    }
+    return points;
+  }
+
   FunctionGenerator design(const RasterPoint& point) const {
     FunctionGenerator made =
         forms_.all()[static_cast<std::size_t>(point.form)].model->generator(point.x);
-    for (std::size_t i = 0; i < lengths_.size(); ++i) {
+    for (std::size_t i = 0; i < links_.size(); ++i) {
       // Without the rounding of the logarithm.
       const auto& values = axes()[i].values;
-      made.links.*lengths_[i] = values.at(values.nearest(point.values[i]));
+      made.links.*links_[i]->length = values.at(values.nearest(point.values[i]));
     }
     return made;
   }
@@ -143,7 +178,7 @@ class FunctionRaster final : public synthesis::ModelRaster {
         wanted_(wanted),
         forms_(forms),
         accepts_(accepts),
-        lengths_(std::move(axes.lengths)),
+        links_(std::move(axes.links)),
         is_given_whole_(axes.is_whole) {}
 
   void add_starts(std::size_t form, const RasterNumbers& at,
@@ -176,7 +211,7 @@ class FunctionRaster final : public synthesis::ModelRaster {
   const FunctionSamples& wanted_;
   const FunctionForms& forms_;
   const FunctionAcceptance& accepts_;
-  std::vector<double Lengths<double>::*> lengths_;
+  std::vector<const LinkKey*> links_;
   bool is_given_whole_;
 };
 
@@ -185,7 +220,8 @@ class FunctionRaster final : public synthesis::ModelRaster {
 RasterFunctionResult search_function_raster(const FunctionProblem& problem,
                                             const FunctionSamples& wanted,
                                             const std::vector<FunctionDesign>& minima,
-                                            const FunctionAcceptance& accepts, const Run& run,
+                                            const FunctionAcceptance& accepts,
+                                            const FunctionSearcher& search, const Run& run,
                                             const Deadline& deadline) {
   const ConfinedFunctions confined(problem);
   FunctionForms forms(confined, wanted, minima);
@@ -196,18 +232,27 @@ RasterFunctionResult search_function_raster(const FunctionProblem& problem,
     from.push_back(raster.point(static_cast<int>(form),
                                 forms.all()[form].model->variables_of(minimum.generator)));
   }
+  const bool is_minimax = problem.objective == FunctionObjective::minimax;
+  synthesis::RasterOptions options{.feasibility = kFunctionFeasibility,
+                                   .met = is_minimax ? std::sqrt(kMetExactly) : kMetExactly,
+                                   .designs = static_cast<std::size_t>(problem.solve.designs),
+                                   .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
+                                   .searched = kSearched,
+                                   .threads = run.threads,
+                                   .deadline = &deadline,
+                                   .progress = run.progress};
+  if (!raster.is_given_whole()) {
+    options.search = [&](const RasterNumbers& at) {
+      std::vector<RasterPoint> points;
+      for (const FunctionDesign& minimum : search(raster.given_at(at))) {
+        std::ranges::move(raster.points_of(at, minimum.generator), std::back_inserter(points));
+      }
+      return points;
+    };
+  }
   RasterFunctionResult result;
-  result.search = synthesis::search_raster(
-      raster, from,
-      {.feasibility = kFunctionFeasibility,
-       .met =
-           problem.objective == FunctionObjective::minimax ? std::sqrt(kMetExactly) : kMetExactly,
-       .designs = static_cast<std::size_t>(problem.solve.designs),
-       .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
-       .threads = run.threads,
-       .deadline = &deadline,
-       .progress = run.progress});
-  // Lengths that are free beside the raster were fitted from few starts: another may lead to less.
+  result.search = synthesis::search_raster(raster, from, options);
+  // Lengths that are free beside the raster were fitted from starts: another may lead to less.
   result.search.is_enumerated = result.search.is_enumerated && raster.is_given_whole();
   for (const RasterPoint& point : result.search.designs) {
     result.designs.push_back(raster.design(point));

@@ -21,11 +21,17 @@ struct RasterFunctionResult {
 /// Whether a generator meets every constraint of the file. Called from many threads at once.
 using FunctionAcceptance = std::function<bool(const FunctionGenerator& generator)>;
 
-/// Searches the raster of `problem`, by least squares, from minima of the same problem without one.
+/// The minima of a problem that a search begun with none known finds. Called from many threads at
+/// once.
+using FunctionSearcher = std::function<std::vector<FunctionDesign>(const FunctionProblem& problem)>;
+
+/// Searches the raster of `problem` from minima of the same problem without one. Where lengths are
+/// free beside the raster, `search` is asked for those of the best combinations.
 RasterFunctionResult search_function_raster(const FunctionProblem& problem,
                                             const FunctionSamples& wanted,
                                             const std::vector<FunctionDesign>& minima,
-                                            const FunctionAcceptance& accepts, const Run& run,
+                                            const FunctionAcceptance& accepts,
+                                            const FunctionSearcher& search, const Run& run,
                                             const Deadline& deadline);
 
 }  // namespace cognate::problems

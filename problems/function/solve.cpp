@@ -42,6 +42,7 @@
 #include "problems/linkage/warnings.hpp"
 #include "problems/raster/report.hpp"
 #include "problems/raster/run_parts.hpp"
+#include "problems/raster/shared_work.hpp"
 #include "problems/search/infeasibility.hpp"
 #include "problems/search/objectives.hpp"
 #include "problems/search/solver_origin.hpp"
@@ -180,6 +181,12 @@ Result solve_on_raster(const FunctionProblem& problem, const Run& run, const Dea
   with_more.solve.designs = std::max(problem.solve.designs, kMinima);
   const auto continuous =
       search_functions(with_more, wanted, between_values(run), deadline, result.work);
+  SharedWork shared(result.work);
+  const auto search_given = [&](const FunctionProblem& given) {
+    return shared.counted([&](Work& work) {
+      return search_functions(given, wanted, of_one_combination(run), deadline, work).minima;
+    });
+  };
   const auto design_of = [&](const FunctionGenerator& generator) {
     Design design = function_design(problem, wanted, generator,
                                     positions_of(generator, wanted.samples), "raster");
@@ -190,8 +197,8 @@ Result solve_on_raster(const FunctionProblem& problem, const Run& run, const Dea
     const Design design = design_of(generator);
     return std::isfinite(design.error.sum_of_squares) && all_satisfied(design.constraints);
   };
-  const auto found =
-      search_function_raster(problem, wanted, continuous.minima, accepts, on_values(run), deadline);
+  const auto found = search_function_raster(problem, wanted, continuous.minima, accepts,
+                                            search_given, on_values(run), deadline);
   for (const FunctionGenerator& one : found.designs) result.designs.push_back(design_of(one));
   result.quantities = quantities(continuous.statistics);
   const auto error = [&](double objective) {

@@ -113,7 +113,7 @@ RasterMotionResult search_one_raster(const MotionProblem& problem, const Run& ru
     return design && all_satisfied(design->constraints);
   };
   return search_motion_raster(problem, scaled, scale, found.minima, accepts, on_values(run),
-                              deadline);
+                              deadline, work);
 }
 
 /// The rasters of several drives as one: either has what the other lacks.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -11,10 +12,13 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/guidance/closure.hpp"
+#include "problems/guidance/designs.hpp"
 #include "problems/guidance/dimensions.hpp"
 #include "problems/guidance/found.hpp"
 #include "problems/guidance/order.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/raster/run_parts.hpp"
+#include "problems/raster/shared_work.hpp"
 #include "synthesis/raster/model_raster.hpp"
 
 namespace cognate::problems {
@@ -32,6 +36,10 @@ constexpr double kMotionReach = 1000;
 constexpr int kScannedAngles = 180;
 /// How often poses out of order are put in order, each time with fewer crank angles.
 constexpr int kRasterOrderings = 6;
+
+/// How many of the best combinations are each searched as a problem of its own, where dimensions
+/// are free beside the raster.
+constexpr std::size_t kSearchedMotions = 12;
 
 struct MotionAxes {
   std::vector<int> dimensions;
@@ -140,6 +148,31 @@ class MotionForms {
   std::vector<std::shared_ptr<const MotionModel>> models_;
 };
 
+/// Whether the constraints are met by the second dyad of a minimum as the driven one.
+bool is_turned(const MotionProblem& scaled, const MotionModel& model, std::span<const double> x) {
+  if (!roles_are_alike(scaled)) return false;
+  const DyadPair pair = model.pair(x), turned{pair.second, pair.first};
+  const auto reached = model.reached(x);
+  const auto one = judge(scaled, pair, reached), other = judge(scaled, turned, reached);
+  return other && (!one || other->violation < one->violation);
+}
+
+/// The dyads of a minimum, that as the first by which the constraints are met.
+DyadPair driven_pair(const MotionProblem& scaled, const MotionModel& model,
+                     std::span<const double> x) {
+  const DyadPair pair = model.pair(x);
+  return is_turned(scaled, model, x) ? DyadPair{pair.second, pair.first} : pair;
+}
+
+/// The crank angle of each pose, those that poses share written for each.
+std::vector<double> angles_of_poses(const MotionModel& model, std::span<const double> x,
+                                    std::size_t poses) {
+  const std::vector<double> shared = model.station_angles(x);
+  std::vector<double> apart;
+  for (std::size_t j = 0; j < poses; ++j) apart.push_back(shared[model.station_of(j)]);
+  return apart;
+}
+
 class MotionRaster final : public synthesis::ModelRaster {
  public:
   MotionRaster(const MotionProblem& problem, const MotionProblem& scaled, const MotionScale& scale,
@@ -161,6 +194,44 @@ class MotionRaster final : public synthesis::ModelRaster {
 
   bool accepts(const RasterPoint& point) const override { return accepts_(motion(point)); }
 
+  bool is_given_whole() const {
+    return dimensions_.size() == forms_.model(0).free_dimensions().size();
+  }
+
+  /// A combination as a problem of its own, its dimensions given.
+  MotionProblem given_at(const RasterNumbers& at) const {
+    MotionProblem given = scaled_;
+    for (std::size_t i = 0; i < dimensions_.size(); ++i) {
+      give(given, dimensions_[i], variable_at(at, i));
+    }
+    return given;
+  }
+
+  /// A minimum of that problem in each form it may be of: with its own crank angles, or, the roles
+  /// of its dyads exchanged, with those that are nearest.
+  std::vector<RasterPoint> points_of(const MotionProblem& given, const RasterNumbers& at,
+                                     const MotionMinimum& minimum) const {
+    const MotionModel own(given, minimum.form);
+    const std::vector<double>& x = minimum.solution.x;
+    if (own.reached(x).empty()) return {};
+    const DyadPair pair = driven_pair(given, own, x);
+    const std::vector<double> sides = form_of(scaled_, pair).sides;
+    std::vector<RasterPoint> points;
+    for (std::size_t form = 0; form < forms_.all().size(); ++form) {
+      if (forms_.all()[form].sides != sides) continue;
+      if (is_turned(given, own, x)) {
+        add_points(form, at, std::array{in_form(form, pair)}, points);
+        continue;
+      }
+      std::vector<double> here = in_form(form, pair).x;
+      place(at, here);
+      points.push_back(point(
+          static_cast<int>(form),
+          forms_.model(form).with_angles(here, angles_of_poses(own, x, scaled_.poses.size()))));
+    }
+    return points;
+  }
+
   RasterMotion motion(const RasterPoint& point) const {
     const MotionModel& model = forms_.model(static_cast<std::size_t>(point.form));
     RasterMotion made{exact(scale_.out_of(model.pair(point.x)), point), model.reached(point.x),
@@ -180,6 +251,35 @@ class MotionRaster final : public synthesis::ModelRaster {
         forms_(forms),
         accepts_(accepts),
         dimensions_(std::move(axes.dimensions)) {}
+
+  /// Of a point both coordinates are on the raster, one after the other.
+  static void give(MotionProblem& problem, int dimension, double value) {
+    const auto coordinate = [&](std::optional<Box>& box, int first) {
+      if (!box) box = Box{};
+      (dimension == first ? box->min.x : box->min.y) = value;
+      (dimension == first ? box->max.x : box->max.y) = value;
+    };
+    if (dimension == kLength1) {
+      problem.crank = value;
+    } else if (dimension == kLength2) {
+      problem.rocker = value;
+    } else if (dimension >= kFixed2) {
+      coordinate(problem.bounds.pivot_d, kFixed2);
+    } else if (dimension >= kMoving2) {
+      coordinate(problem.moving_bounds[1], kMoving2);
+    } else if (dimension >= kFixed1) {
+      coordinate(problem.bounds.pivot_a, kFixed1);
+    } else {
+      coordinate(problem.moving_bounds[0], kMoving1);
+    }
+  }
+
+  RasterPoint in_form(std::size_t form, const DyadPair& pair) const {
+    RasterPoint made;
+    made.form = static_cast<int>(form);
+    made.x = forms_.model(form).variables_of(pair);
+    return made;
+  }
 
   void add_points(std::size_t form, const RasterNumbers& at, std::span<const RasterPoint> from,
                   std::vector<RasterPoint>& all) const {
@@ -247,12 +347,9 @@ class MotionRaster final : public synthesis::ModelRaster {
     }
     if (!is_moved) return std::nullopt;
     const MotionModel shared(scaled_, ordered.form);
-    const std::vector<double> angles = shared.station_angles(ordered.x);
-    std::vector<double> apart;
-    for (std::size_t j = 0; j < scaled_.poses.size(); ++j) {
-      apart.push_back(angles[shared.station_of(j)]);
-    }
-    return point(static_cast<int>(form), forms_.model(form).with_angles(ordered.x, apart));
+    return point(static_cast<int>(form),
+                 forms_.model(form).with_angles(
+                     ordered.x, angles_of_poses(shared, ordered.x, scaled_.poses.size())));
   }
 
   /// The crank angles of a form with shared ones, and what is not on the raster.
@@ -297,23 +394,13 @@ class MotionRaster final : public synthesis::ModelRaster {
   std::vector<int> dimensions_;
 };
 
-/// The dyads of a minimum, that as the first by which the constraints are met.
-DyadPair driven_pair(const MotionProblem& scaled, const MotionModel& model,
-                     std::span<const double> x) {
-  const DyadPair pair = model.pair(x), turned{pair.second, pair.first};
-  if (!roles_are_alike(scaled)) return pair;
-  const auto reached = model.reached(x);
-  const auto one = judge(scaled, pair, reached), other = judge(scaled, turned, reached);
-  return other && (!one || other->violation < one->violation) ? turned : pair;
-}
-
 }  // namespace
 
 RasterMotionResult search_motion_raster(const MotionProblem& problem, const MotionProblem& scaled,
                                         const MotionScale& scale,
                                         const std::vector<MotionMinimum>& minima,
                                         const MotionAcceptance& accepts, const Run& run,
-                                        const Deadline& deadline) {
+                                        const Deadline& deadline, Work& work) {
   MotionForms forms(scaled, {});
   std::vector<std::pair<std::size_t, std::vector<double>>> starts;
   for (const MotionMinimum& minimum : minima) {
@@ -328,19 +415,35 @@ RasterMotionResult search_motion_raster(const MotionProblem& problem, const Moti
   for (auto& [form, x] : starts) {
     from.push_back(raster.point(static_cast<int>(form), std::move(x)));
   }
+  synthesis::RasterOptions options{.feasibility = kMotionFeasibility,
+                                   .met = kMetExactly,
+                                   .designs = static_cast<std::size_t>(problem.solve.designs),
+                                   .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
+                                   .searched = kSearchedMotions,
+                                   .threads = run.threads,
+                                   .deadline = &deadline,
+                                   .progress = run.progress};
+  SharedWork shared(work);
+  const Run alone = of_one_combination(run);
+  if (!raster.is_given_whole()) {
+    options.search = [&](const RasterNumbers& at) {
+      const MotionProblem given = raster.given_at(at);
+      const auto found = shared.counted([&](Work& own) {
+        return search_motions(given, {}, given.solve.starts, synthesis::chosen(given.solve.solver),
+                              given.solve.tolerance.value_or(kMotionTolerance), alone, deadline,
+                              own);
+      });
+      std::vector<RasterPoint> points;
+      for (const MotionMinimum& minimum : found.minima) {
+        std::ranges::move(raster.points_of(given, at, minimum), std::back_inserter(points));
+      }
+      return points;
+    };
+  }
   RasterMotionResult result;
-  result.search =
-      synthesis::search_raster(raster, from,
-                               {.feasibility = kMotionFeasibility,
-                                .met = kMetExactly,
-                                .designs = static_cast<std::size_t>(problem.solve.designs),
-                                .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
-                                .threads = run.threads,
-                                .deadline = &deadline,
-                                .progress = run.progress});
-  // What is free beside the raster was fitted from one start: another may lead to less.
-  const bool is_given_whole = raster.axes().size() == forms.model(0).free_dimensions().size();
-  result.search.is_enumerated = result.search.is_enumerated && is_given_whole;
+  result.search = synthesis::search_raster(raster, from, options);
+  // What is free beside the raster was fitted from starts: another may lead to less.
+  result.search.is_enumerated = result.search.is_enumerated && raster.is_given_whole();
   for (const RasterPoint& point : result.search.designs) {
     result.designs.push_back(raster.motion(point));
   }

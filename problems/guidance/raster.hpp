@@ -29,11 +29,12 @@ struct RasterMotionResult {
 using MotionAcceptance = std::function<bool(const RasterMotion& motion)>;
 
 /// Searches the raster of `problem`, of which `scaled` is in the units of `scale`, from minima of
-/// the same problem without one.
+/// the same problem without one. Where dimensions are free beside the raster, the best combinations
+/// are searched as problems of their own too. Counts that in `work`.
 RasterMotionResult search_motion_raster(const MotionProblem& problem, const MotionProblem& scaled,
                                         const MotionScale& scale,
                                         const std::vector<MotionMinimum>& minima,
                                         const MotionAcceptance& accepts, const Run& run,
-                                        const Deadline& deadline);
+                                        const Deadline& deadline, Work& work);
 
 }  // namespace cognate::problems

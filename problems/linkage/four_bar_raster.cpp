@@ -92,6 +92,45 @@ FourBarRaster four_bar_raster(const Raster& raster, const Given& given, const Bo
   return list.take();
 }
 
+void give_dimension(Given& given, FourBarDimension dimension, double value) {
+  const auto coordinate = [](std::optional<Vec2d>& point) -> Vec2d& {
+    if (!point) point = Vec2d{};
+    return *point;
+  };
+  switch (dimension) {
+    case FourBarDimension::crank:
+      given.crank = value;
+      break;
+    case FourBarDimension::coupler:
+      given.coupler = value;
+      break;
+    case FourBarDimension::rocker:
+      given.rocker = value;
+      break;
+    case FourBarDimension::frame:
+      given.frame = value;
+      break;
+    case FourBarDimension::point_u:
+      coordinate(given.coupler_point).x = value;
+      break;
+    case FourBarDimension::point_v:
+      coordinate(given.coupler_point).y = value;
+      break;
+    case FourBarDimension::a_x:
+      coordinate(given.pivot_a).x = value;
+      break;
+    case FourBarDimension::a_y:
+      coordinate(given.pivot_a).y = value;
+      break;
+    case FourBarDimension::d_x:
+      coordinate(given.pivot_d).x = value;
+      break;
+    case FourBarDimension::d_y:
+      coordinate(given.pivot_d).y = value;
+      break;
+  }
+}
+
 void set_dimension(FourBar& linkage, FourBarDimension dimension, double value) {
   if (!linkage.coupler_point) linkage.coupler_point = Vec2d{};
   switch (dimension) {

@@ -33,6 +33,9 @@ struct FourBarRaster {
 FourBarRaster four_bar_raster(const Raster& raster, const Given& given, const Bounds& bounds,
                               const FourBarPlaces& places, const Similarity& scale);
 
+/// Gives a dimension, so that it is not sought.
+void give_dimension(Given& given, FourBarDimension dimension, double value);
+
 /// Sets a dimension; that of the frame follows from the pivots and is left alone.
 void set_dimension(FourBar& linkage, FourBarDimension dimension, double value);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -25,6 +26,10 @@ using synthesis::RasterPoint;
 
 /// Phases from which a timed path begins at each combination, whose phase alone is free.
 constexpr int kPhases = 8;
+
+/// How many of the best combinations are each searched as a problem of its own, where dimensions
+/// are free beside the raster.
+constexpr std::size_t kSearched = 16;
 
 /// What is chosen before dimensions: a model of its own.
 struct PathForm {
@@ -97,6 +102,18 @@ class PathForms {
   }
 
   const std::vector<PathForm>& all() const { return forms_; }
+
+  /// The numbers of those of its assembly and sense.
+  std::vector<int> like(const PathMinimum& minimum) const {
+    const bool clockwise = minimum.clockwise && has_senses();
+    std::vector<int> alike;
+    for (std::size_t i = 0; i < forms_.size(); ++i) {
+      const bool is_alike =
+          forms_[i].assembly == minimum.assembly && forms_[i].clockwise == clockwise;
+      if (is_alike) alike.push_back(static_cast<int>(i));
+    }
+    return alike;
+  }
 
  private:
   /// Whether the sense in which increments are counted belongs to the model; else it belongs to the
@@ -184,6 +201,31 @@ class PathRaster final : public synthesis::ModelRaster {
   /// Whether nothing but crank angles and their phase is left beside the raster.
   bool is_given_whole() const { return !frees_more_; }
 
+  /// A combination as a problem of its own, its dimensions given.
+  PathProblem given_at(const RasterNumbers& at) const {
+    PathProblem given = scaled_;
+    for (std::size_t i = 0; i < dimensions_.size(); ++i) {
+      give_dimension(given.given, dimensions_[i], variable_at(at, i));
+    }
+    return given;
+  }
+
+  /// A minimum of that problem, in each form it may be of.
+  std::vector<RasterPoint> points_of(const PathProblem& given, const RasterNumbers& at,
+                                     const PathMinimum& minimum) const {
+    const PathModel own = model_of(given, minimum);
+    const FourBar linkage = own.linkage(minimum.solution.x);
+    const auto angles = own.crank_angles(minimum.solution.x);
+    std::vector<RasterPoint> points;
+    for (const int form : forms_.like(minimum)) {
+      const PathForm& one = forms_.all()[static_cast<std::size_t>(form)];
+      std::vector<double> x = one.outwards(one.model->variables_of(linkage, angles));
+      place(at, x);
+      points.push_back(point(form, std::move(x)));
+    }
+    return points;
+  }
+
   RasterPath design(const RasterPoint& point) const {
     const PathForm& form = forms_.all()[static_cast<std::size_t>(point.form)];
     const std::vector<double> x = form.inwards(point.x);
@@ -268,8 +310,8 @@ class PathRaster final : public synthesis::ModelRaster {
 
 RasterPathResult search_path_raster(const PathProblem& problem, const PathProblem& scaled,
                                     const PathScale& scale, const std::vector<PathMinimum>& minima,
-                                    const PathAcceptance& accepts, const Run& run,
-                                    const Deadline& deadline) {
+                                    const PathAcceptance& accepts, const PathSearcher& search,
+                                    const Run& run, const Deadline& deadline) {
   PathForms forms(scaled, minima);
   const PathRaster raster(problem, scaled, scale, forms, accepts);
   std::vector<RasterPoint> from;
@@ -278,17 +320,27 @@ RasterPathResult search_path_raster(const PathProblem& problem, const PathProble
     from.push_back(
         raster.point(static_cast<int>(form), forms.all()[form].outwards(minimum.solution.x)));
   }
+  synthesis::RasterOptions options{.feasibility = kPathFeasibility,
+                                   .met = kMetExactly,
+                                   .designs = static_cast<std::size_t>(problem.solve.designs),
+                                   .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
+                                   .searched = kSearched,
+                                   .threads = run.threads,
+                                   .deadline = &deadline,
+                                   .progress = run.progress};
+  if (!raster.is_given_whole()) {
+    options.search = [&](const RasterNumbers& at) {
+      const PathProblem given = raster.given_at(at);
+      std::vector<RasterPoint> points;
+      for (const PathMinimum& minimum : search(given)) {
+        std::ranges::move(raster.points_of(given, at, minimum), std::back_inserter(points));
+      }
+      return points;
+    };
+  }
   RasterPathResult result;
-  result.search =
-      synthesis::search_raster(raster, from,
-                               {.feasibility = kPathFeasibility,
-                                .met = kMetExactly,
-                                .designs = static_cast<std::size_t>(problem.solve.designs),
-                                .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
-                                .threads = run.threads,
-                                .deadline = &deadline,
-                                .progress = run.progress});
-  // What is free beside the raster was fitted from few starts: another may lead to less.
+  result.search = synthesis::search_raster(raster, from, options);
+  // What is free beside the raster was fitted from starts: another may lead to less.
   result.search.is_enumerated = result.search.is_enumerated && raster.is_given_whole();
   for (const RasterPoint& point : result.search.designs) {
     result.designs.push_back(raster.design(point));

@@ -27,11 +27,16 @@ struct RasterPathResult {
 /// constraint of the file. Called from many threads at once.
 using PathAcceptance = std::function<bool(const RasterPath& design)>;
 
+/// The minima of a scaled problem that a search begun with none known finds. Called from many
+/// threads at once.
+using PathSearcher = std::function<std::vector<PathMinimum>(const PathProblem& scaled)>;
+
 /// Searches the raster of `problem`, from minima of the same problem without one: `scaled` by
-/// `scale`, as the search has them.
+/// `scale`, as the search has them. Where dimensions are free beside the raster, `search` is asked
+/// for those of the best combinations.
 RasterPathResult search_path_raster(const PathProblem& problem, const PathProblem& scaled,
                                     const PathScale& scale, const std::vector<PathMinimum>& minima,
-                                    const PathAcceptance& accepts, const Run& run,
-                                    const Deadline& deadline);
+                                    const PathAcceptance& accepts, const PathSearcher& search,
+                                    const Run& run, const Deadline& deadline);
 
 }  // namespace cognate::problems

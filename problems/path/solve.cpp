@@ -34,6 +34,7 @@
 #include "problems/path/shape_placement.hpp"
 #include "problems/raster/report.hpp"
 #include "problems/raster/run_parts.hpp"
+#include "problems/raster/shared_work.hpp"
 #include "problems/search/infeasibility.hpp"
 #include "problems/search/objectives.hpp"
 #include "problems/search/solver_origin.hpp"
@@ -258,16 +259,22 @@ Result solve_on_raster(const PathProblem& problem, const Run& run, const Deadlin
   PathProblem scaled = scale.into(problem);
   scaled.solve.designs = std::max(scaled.solve.designs, kMinima);
   Result result;
-  const PathSearchResult continuous =
-      search_paths(scaled, synthesis::chosen(problem.solve.solver),
-                   problem.solve.tolerance.value_or(kDefaultTolerance), between_values(run),
-                   deadline, result.work);
+  const auto search = [&](const PathProblem& one, const Run& own, Work& work) {
+    return search_paths(one, synthesis::chosen(problem.solve.solver),
+                        problem.solve.tolerance.value_or(kDefaultTolerance), own, deadline, work);
+  };
+  const PathSearchResult continuous = search(scaled, between_values(run), result.work);
+  SharedWork shared(result.work);
+  const auto search_given = [&](const PathProblem& given) {
+    return shared.counted(
+        [&](Work& work) { return search(given, of_one_combination(run), work).minima; });
+  };
   Designs designs(problem, scale.size);
   const auto accepts = [&](const RasterPath& design) {
     return designs.accepted(design.linkage, design.crank_angles).has_value();
   };
-  const RasterPathResult found = search_path_raster(problem, scaled, scale, continuous.minima,
-                                                    accepts, on_values(run), deadline);
+  const RasterPathResult found = search_path_raster(
+      problem, scaled, scale, continuous.minima, accepts, search_given, on_values(run), deadline);
   for (const RasterPath& one : found.designs) {
     std::vector<double> angles = one.crank_angles;
     for (double& angle : angles) angle = in_one_turn(angle);

@@ -29,6 +29,12 @@ std::string coverage(const synthesis::RasterResult& found) {
     return fmt::format("Each of the {} combinations on the raster was evaluated: none is better.",
                        count(found.combinations));
   }
+  if (found.is_complete && static_cast<double>(found.searched) >= found.combinations) {
+    return fmt::format(
+        "Each of the {} combinations on the raster was searched as a problem of its own: none "
+        "better was found, which is no proof.",
+        count(found.combinations));
+  }
   if (found.is_complete && static_cast<double>(found.evaluated) >= found.combinations) {
     return fmt::format(
         "Each of the {} combinations on the raster was evaluated, what is free beside it from some "
@@ -98,6 +104,11 @@ std::vector<std::string> raster_notes(const synthesis::RasterResult& found,
                    : fmt::format("which rounded has {:.4g}{}", measure.of(found.rounded->objective),
                                  found.rounded_is_accepted ? "" : " and breaks a constraint");
   const double continuous = measure.of(found.relaxed->objective);
+  if (found.searched > 0 && static_cast<double>(found.searched) < found.combinations) {
+    notes.push_back(fmt::format(
+        "What is free beside the raster was searched anew for the {} best combinations.",
+        found.searched));
+  }
   notes.push_back(fmt::format(
       "{} on the raster {:.4g}; of {} {:.4g}, {}; bound of the search {:.4g} (gap "
       "{:.3g} %).",

@@ -228,8 +228,8 @@ void add_raster_designs(const StraightLineProblem& problem, StraightLineProblem 
   const auto accepts = [&](const SegmentDesign& found) {
     return all_satisfied(searched_design(problem, found).constraints);
   };
-  const SegmentRasterResult found = search_segment_raster(problem, scaled, unit, continuous.found,
-                                                          accepts, on_values(run), deadline);
+  const SegmentRasterResult found = search_segment_raster(
+      problem, scaled, unit, continuous.found, accepts, on_values(run), deadline, result.work);
   for (const SegmentDesign& one : found.designs) {
     result.designs.push_back(searched_design(problem, one));
     result.designs.back().origin = one.origin;

@@ -10,6 +10,8 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/linkage/four_bar_raster.hpp"
+#include "problems/raster/run_parts.hpp"
+#include "problems/raster/shared_work.hpp"
 #include "problems/straight_line/model.hpp"
 #include "problems/straight_line/peaks.hpp"
 #include "problems/straight_line/scan.hpp"
@@ -40,6 +42,10 @@ constexpr synthesis::ModelRasterOptions kMendingOptions{.solver = Solver::ipopt,
                                                         .tolerance = 1e-9,
                                                         .iterations = 150,
                                                         .feasibility = kSegmentFeasibility};
+
+/// How many of the best combinations are each searched as a problem of its own, where dimensions
+/// are free beside the raster.
+constexpr std::size_t kSearchedSegments = 12;
 
 /// The greatest length that a link may have on the raster: by the segment, else by the bounds.
 double longest_on_raster(const StraightLineProblem& problem) {
@@ -126,6 +132,18 @@ class SegmentRaster final : public synthesis::ModelRaster {
            std::ranges::count_if(places, [](int place) { return place >= 0; });
   }
 
+  /// The minima of one combination that a search begun with none known finds.
+  std::vector<RasterPoint> searched(const RasterNumbers& at, const Run& run,
+                                    const Deadline& deadline, Work& work) const {
+    std::vector<RasterPoint> points;
+    for (const SegmentDesign& one :
+         search_segments(given_at(at), {}, {}, run, deadline, work).found) {
+      auto found = refined(at, one.segment);
+      if (found && std::isfinite(found->objective)) points.push_back(*std::move(found));
+    }
+    return points;
+  }
+
   /// In the file's unit.
   SegmentDesign design(const RasterPoint& point) const {
     SegmentDesign made;
@@ -151,6 +169,21 @@ class SegmentRaster final : public synthesis::ModelRaster {
         forms_(forms),
         accepts_(accepts),
         dimensions_(std::move(axes.dimensions)) {}
+
+  /// A combination as a problem of its own, its dimensions given.
+  StraightLineProblem given_at(const RasterNumbers& at) const {
+    StraightLineProblem given = scaled_;
+    const bool has_offset = scaled_.type == MechanismType::slider_crank;
+    for (std::size_t i = 0; i < dimensions_.size(); ++i) {
+      const double value = variable_at(at, i);
+      if (has_offset && dimensions_[i] == FourBarDimension::rocker) {
+        given.slider_offset = value;
+      } else {
+        give_dimension(given.given, dimensions_[i], value);
+      }
+    }
+    return given;
+  }
 
   LinkageSegment segment_at(const RasterPoint& point) const {
     return forms_.model(point.form).segment(point.x);
@@ -265,7 +298,7 @@ SegmentRasterResult search_segment_raster(const StraightLineProblem& problem,
                                           const StraightLineProblem& scaled, double unit,
                                           const std::vector<SegmentDesign>& minima,
                                           const SegmentAcceptance& accepts, const Run& run,
-                                          const Deadline& deadline) {
+                                          const Deadline& deadline, Work& work) {
   SegmentForms forms(scaled);
   std::vector<int> numbers;
   for (const SegmentDesign& minimum : minima) numbers.push_back(forms.number_of(minimum.segment));
@@ -274,16 +307,23 @@ SegmentRasterResult search_segment_raster(const StraightLineProblem& problem,
   for (std::size_t i = 0; i < minima.size(); ++i) {
     from.push_back(raster.point(numbers[i], forms.variables_of(numbers[i], minima[i].segment)));
   }
+  synthesis::RasterOptions options{.feasibility = kSegmentFeasibility,
+                                   .designs = static_cast<std::size_t>(problem.solve.designs),
+                                   .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
+                                   .minima = kBoxMinima,
+                                   .searched = kSearchedSegments,
+                                   .threads = run.threads,
+                                   .deadline = &deadline,
+                                   .progress = run.progress};
+  SharedWork shared(work);
+  const Run alone = of_one_combination(run);
+  if (!raster.is_given_whole()) {
+    options.search = [&](const RasterNumbers& at) {
+      return shared.counted([&](Work& own) { return raster.searched(at, alone, deadline, own); });
+    };
+  }
   SegmentRasterResult result;
-  result.search =
-      synthesis::search_raster(raster, from,
-                               {.feasibility = kSegmentFeasibility,
-                                .designs = static_cast<std::size_t>(problem.solve.designs),
-                                .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
-                                .minima = kBoxMinima,
-                                .threads = run.threads,
-                                .deadline = &deadline,
-                                .progress = run.progress});
+  result.search = synthesis::search_raster(raster, from, options);
   result.search.is_enumerated = result.search.is_enumerated && raster.is_given_whole();
   for (const RasterPoint& point : result.search.designs) {
     result.designs.push_back(raster.design(point));

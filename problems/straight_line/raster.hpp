@@ -28,12 +28,13 @@ using SegmentAcceptance = std::function<bool(const SegmentDesign& design)>;
 Bounds raster_bounds(const StraightLineProblem& problem);
 
 /// Searches the raster of `problem` from minima of the same problem without one: `scaled`, its
-/// lengths divided by `unit`, as the search has them.
+/// lengths divided by `unit`, as the search has them. Where dimensions are free beside the raster,
+/// the best combinations are searched as problems of their own too. Counts that in `work`.
 SegmentRasterResult search_segment_raster(const StraightLineProblem& problem,
                                           const StraightLineProblem& scaled, double unit,
                                           const std::vector<SegmentDesign>& minima,
                                           const SegmentAcceptance& accepts, const Run& run,
-                                          const Deadline& deadline);
+                                          const Deadline& deadline, Work& work);
 
 /// What is best by the goal, as results name it: the deviation at a length, the length, or the size
 /// over the length.

@@ -37,6 +37,15 @@ void RasterIncumbents::consider(const std::vector<RasterNumbers>& all,
   }
 }
 
+void RasterIncumbents::add(const RasterNumbers& at, std::vector<RasterPoint> points) {
+  const auto known = std::ranges::find(best_, at, &Kept::at);
+  if (known != best_.end()) {
+    points.push_back(std::move(known->point));
+    best_.erase(known);
+  }
+  insert(at, std::move(points));
+}
+
 std::optional<RasterPoint> RasterIncumbents::best_of(std::vector<RasterPoint> points) const {
   std::ranges::stable_sort(points, {}, &RasterPoint::objective);
   auto chosen = std::ranges::find_if(points, [&](const auto& point) { return meets_all(point); });
@@ -48,10 +57,15 @@ std::optional<RasterPoint> RasterIncumbents::best_of(std::vector<RasterPoint> po
   return chosen == points.end() ? std::nullopt : std::optional(std::move(*chosen));
 }
 
+/// Those that are searched in the end, and the designs wanted.
+std::size_t RasterIncumbents::capacity() const {
+  return std::max(options_.designs, options_.search ? options_.searched : 0);
+}
+
 /// Acceptance may cost more than all else: it is asked only of what would be kept.
 void RasterIncumbents::insert(RasterNumbers at, std::vector<RasterPoint> points) {
   std::ranges::stable_sort(points, {}, &RasterPoint::objective);
-  const bool is_full = best_.size() >= options_.designs;
+  const bool is_full = best_.size() >= capacity();
   for (RasterPoint& point : points) {
     if (is_full && !(point.objective < best_.back().point.objective)) return;
     if (!meets_all(point)) continue;
@@ -97,9 +111,18 @@ void RasterIncumbents::improve(const std::function<bool()>& is_over) {
   }
 }
 
+std::vector<RasterNumbers> RasterIncumbents::kept() const {
+  std::vector<RasterNumbers> all;
+  for (const Kept& kept : best_) all.push_back(kept.at);
+  return all;
+}
+
 std::vector<RasterPoint> RasterIncumbents::take() {
   std::vector<RasterPoint> all;
-  for (Kept& kept : best_) all.push_back(std::move(kept.point));
+  for (Kept& kept : best_) {
+    if (all.size() == options_.designs) break;
+    all.push_back(std::move(kept.point));
+  }
   return all;
 }
 

@@ -22,6 +22,9 @@ class RasterIncumbents {
   /// Evaluates those of `all` that were not yet, from `from`, and keeps the best that are accepted.
   void consider(const std::vector<RasterNumbers>& all, std::span<const RasterPoint> from);
 
+  /// Designs found at one combination, the best of which takes the place of the one known there.
+  void add(const RasterNumbers& at, std::vector<RasterPoint> points);
+
   /// Moves on from the best to its best neighbour (one or two axes by one value each) until none is
   /// better, or `is_over`.
   void improve(const std::function<bool()>& is_over);
@@ -37,7 +40,9 @@ class RasterIncumbents {
   /// Of the best; infinite without one.
   double objective() const;
   std::uint64_t evaluated() const { return looked_at_.size(); }
-  /// Best first.
+  /// The combinations kept, best first.
+  std::vector<RasterNumbers> kept() const;
+  /// As many as the options want, best first.
   std::vector<RasterPoint> take();
 
  private:
@@ -46,6 +51,7 @@ class RasterIncumbents {
     RasterPoint point;
   };
 
+  std::size_t capacity() const;
   void insert(RasterNumbers at, std::vector<RasterPoint> points);
   std::vector<RasterNumbers> neighbours(const RasterNumbers& at) const;
 

@@ -120,8 +120,7 @@ RasterPoint ModelRaster::point(int form, std::vector<double> x) const {
 
 void ModelRaster::place(const RasterNumbers& at, std::span<double> x) const {
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    x[static_cast<std::size_t>(variables_[i].variable)] =
-        variables_[i].of_value(axes_[i].values.at(at[i]));
+    x[static_cast<std::size_t>(variables_[i].variable)] = variable_at(at, i);
   }
 }
 

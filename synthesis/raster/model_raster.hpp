@@ -85,6 +85,10 @@ class ModelRaster : public RasterTask {
  protected:
   /// The variables of a model with those of the axes at a combination.
   void place(const RasterNumbers& at, std::span<double> x) const;
+  /// What the variable of an axis is at a combination.
+  double variable_at(const RasterNumbers& at, std::size_t axis) const {
+    return variables_[axis].of_value(axes_[axis].values.at(at[axis]));
+  }
 
   const std::vector<AxisVariable>& axis_variables() const { return variables_; }
 

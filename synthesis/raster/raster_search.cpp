@@ -17,6 +17,8 @@ namespace {
 constexpr std::size_t kDivided = 32, kEvaluated = 1024;
 /// Numbers of values this near to a whole one are on the raster.
 constexpr double kOnRaster = 1e-7;
+/// Share of the progress at which the search of the best combinations begins.
+constexpr double kSearchBegins = 0.5;
 /// A box whose minimum is better than the best combination by less of it is covered.
 constexpr double kWorthwhile = 1e-9;
 
@@ -66,6 +68,7 @@ class RasterSearch {
     } else {
       branch(std::move(roots));
     }
+    if (options_.search) search_best();
     result_.designs = best_.take();
     result_.evaluated = best_.evaluated();
     return std::move(result_);
@@ -75,9 +78,9 @@ class RasterSearch {
   bool is_over() const { return options_.deadline && options_.deadline->reached(); }
 
   void report() const {
-    if (options_.progress) {
-      options_.progress(result_.covered / result_.combinations, best_.objective());
-    }
+    if (!options_.progress) return;
+    const double covered = result_.covered / result_.combinations;
+    options_.progress(options_.search ? kSearchBegins * covered : covered, best_.objective());
   }
 
   /// Objectives from this on are no better than what is known.
@@ -120,6 +123,34 @@ class RasterSearch {
     result_.is_complete = result_.is_enumerated = !is_left;
     result_.bound = best_.objective();
     if (is_left) result_.bound = result_.relaxed ? result_.relaxed->objective : 0;
+  }
+
+  void search_best() {
+    const std::vector<RasterNumbers> all =
+        result_.combinations <= static_cast<double>(options_.searched) ? combinations()
+                                                                       : best_.kept();
+    std::vector<std::optional<Minima>> found(all.size());
+    parallel_for(static_cast<int>(all.size()), options_.threads, [&](int index, int thread) {
+      if (is_over()) return;
+      const auto i = static_cast<std::size_t>(index);
+      found[i] = options_.search(all[i]);
+      if (thread != 0 || !options_.progress) return;
+      const double done = double(index + 1) / double(all.size());
+      options_.progress(kSearchBegins + (1 - kSearchBegins) * done, best_.objective());
+    });
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!found[i]) continue;
+      best_.add(all[i], *std::move(found[i]));
+      ++result_.searched;
+    }
+    result_.bound = std::min(result_.bound, best_.objective());
+  }
+
+  /// All of them.
+  std::vector<RasterNumbers> combinations() const {
+    std::vector<RasterNumbers> all{whole_.first};
+    for (RasterNumbers next = whole_.first; advance(next);) all.push_back(next);
+    return all;
   }
 
   /// To the next combination; false after the last.
@@ -340,6 +371,7 @@ RasterResult together(RasterResult a, RasterResult b) {
   a.covered += b.covered;
   a.evaluated += b.evaluated;
   a.boxes += b.boxes;
+  a.searched += b.searched;
   return a;
 }
 

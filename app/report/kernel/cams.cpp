@@ -47,7 +47,8 @@ COGNATE_EXPORT(cam_misplaced) void misplace_cam(int count) {
   const auto n = numbers();
   const cam::CamDimensions<double> changes{n[0], n[1], n[2], n[3], n[4], n[5]};
   for (double& at : n.subspan(6, static_cast<std::size_t>(count))) {
-    at = cam::misplacement(taken, changes, at).value_or(std::numeric_limits<double>::quiet_NaN());
+    const auto off = cam::ChangedFollower(taken, at).misplacement(changes);
+    at = off.value_or(std::numeric_limits<double>::quiet_NaN());
   }
 }
 

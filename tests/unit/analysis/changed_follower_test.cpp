@@ -59,11 +59,12 @@ TEST(ChangedFollower, RatesAreThoseOfDifferences) {
       for (int k = 0; k < 36; ++k) {
         const double angle = kTurn * k / 36;
         const auto rates = misplacement_rates(cam, angle);
+        const ChangedFollower follower(cam, angle);
         for (std::size_t i = 0; i < kMembers.size(); ++i) {
           Dimensions more{}, less{};
           more.*kMembers[i] = kStep;
           less.*kMembers[i] = -kStep;
-          const auto high = misplacement(cam, more, angle), low = misplacement(cam, less, angle);
+          const auto high = follower.misplacement(more), low = follower.misplacement(less);
           ASSERT_TRUE(high && low);
           EXPECT_NEAR(rates[i], (*high - *low) / (2 * kStep), 1e-7)
               << static_cast<int>(type) << ' ' << k << ' ' << i;
@@ -99,7 +100,7 @@ TEST(ChangedFollower, TheRollerTouchesTheProfile) {
     changes.centre_distance = swings ? -0.3 : 0;
     for (int k = 0; k < 24; ++k) {
       const double angle = kTurn * k / 24;
-      const auto off = misplacement(cam, changes, angle);
+      const auto off = ChangedFollower(cam, angle).misplacement(changes);
       ASSERT_TRUE(off);
       const double place = cam.system.start + cam.programme.at(angle).displacement + *off;
       const Vec2d centre = swings ? Vec2d{-(d.arm + changes.arm) * std::sin(place),
@@ -117,7 +118,7 @@ TEST(ChangedFollower, NoChangeIsNoMisplacement) {
   for (const FollowerType type : kTypes) {
     const Cam cam = cam_of(type, ArmSide::trailing);
     for (int k = 0; k < 24; ++k) {
-      const auto off = misplacement(cam, {}, kTurn * k / 24);
+      const auto off = ChangedFollower(cam, kTurn * k / 24).misplacement({});
       ASSERT_TRUE(off);
       EXPECT_NEAR(*off, 0, 1e-12);
     }

@@ -203,6 +203,29 @@ TEST(GuidanceRaster, ProvesNothingOfWhatIsFreeBesideTheRaster) {
   EXPECT_FALSE(is_proven("crank = [1, 1.5, 2]\n"));
 }
 
+/// No worse than any combination whose lengths are given in a file of its own.
+TEST(GuidanceRaster, SearchesWhatIsFreeBesideTheRasterByItself) {
+  const std::string file =
+      "kind = \"motion-generation\"\n[target]\nmethod = \"least-squares\"\n"
+      "poses = [[0, 0, 0], [1, 0.5, 10], [2, 0.4, 25], [2.6, 0.1, 41], [3, -0.8, 50], [2.4, -2, "
+      "20]]\n";
+  const Result on_raster =
+      solve(problem_of(file + "[raster]\ncrank = [1, 2]\nrocker = [1.5, 3]\n"), {.threads = 2});
+  ASSERT_FALSE(on_raster.designs.empty());
+  const double best = on_raster.designs.front().error.rms;
+  for (const double crank : {1.0, 2.0}) {
+    for (const double rocker : {1.5, 3.0}) {
+      const Result given =
+          solve(problem_of(file + fmt::format("[mechanism]\ndyads = [\"RR\"]\ncrank = {}\nrocker = "
+                                              "{}\n",
+                                              crank, rocker)),
+                {.seed = 7, .threads = 2});
+      if (given.status != Status::solved) continue;
+      EXPECT_LE(best, given.designs.front().error.rms * (1 + 1e-5)) << crank << ' ' << rocker;
+    }
+  }
+}
+
 TEST(GuidanceRaster, RefusesWhatItCannotDo) {
   const auto fault = [](const std::string& text) {
     const auto read = parse_task("kind = \"motion-generation\"\n" + text);

@@ -226,9 +226,9 @@ TEST(PathRaster, PivotModelHasExactDerivatives) {
     EXPECT_NEAR(std::remainder(back[i] - x[i], kTurn), 0, 1e-12);
 }
 
-/// Four lengths on the raster, place and coupler point free: found from few starts, of which none
-/// need lead to the best. The library's search for the same lengths finds a better one.
-TEST(PathRaster, WhatStaysFreeBesideItIsNoProof) {
+/// Four lengths on the raster, place and coupler point free: as good as the library's long search
+/// for the same lengths, which is no proof.
+TEST(PathRaster, WhatStaysFreeBesideItIsSearchedByItself) {
   const std::string target =
       "kind = \"path-generation\"\n[target]\npoints = [[10, 18], [18, 22], [24, 15], [19, 8], [27, "
       "4], [20, -3]]\n[bounds]\nlength = [5, 50]\n";
@@ -242,7 +242,7 @@ TEST(PathRaster, WhatStaysFreeBesideItIsNoProof) {
             {.threads = 1});
   ASSERT_EQ(on_raster.status, Status::solved);
   ASSERT_EQ(given.status, Status::solved);
-  ASSERT_LT(given.designs.front().error.rms, 0.99 * number(on_raster, "raster_error"));
+  EXPECT_LE(number(on_raster, "raster_error"), 1.001 * given.designs.front().error.rms);
   EXPECT_FALSE(flag(on_raster, "raster_proven"));
   EXPECT_TRUE(flag(on_raster, "raster_complete"));
   const bool says_so = std::ranges::any_of(on_raster.notes, [](const std::string& note) {
