@@ -11,6 +11,9 @@
 #include "problems/chain/read_target.hpp"
 #include "problems/chain/read_tolerances.hpp"
 #include "problems/layers/read.hpp"
+#include "problems/linkage/design_layers.hpp"
+#include "problems/linkage/read_constraints.hpp"
+#include "problems/linkage/read_raster.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
 
@@ -52,6 +55,13 @@ void check_chain_raster(TableReader& document, const ChainPathProblem& problem) 
   document.fault("raster", fmt::format("has no value of {} within its bounds [{}, {}]; expected at "
                                        "least one: widen the bounds or refine the raster",
                                        off->name, off->bounds.min, off->bounds.max));
+}
+
+// What speaks against robust designs.
+std::string_view robust_refusal(const ChainPathProblem& problem) {
+  if (const auto why = robust_tolerance_refusal(problem.tolerances); !why.empty()) return why;
+  if (problem.raster) return "is given with a raster; remove one of them";
+  return {};
 }
 
 /// Without a raster the chain itself may be moved; on one its size counts, which bounds say.
@@ -112,8 +122,10 @@ ChainPathProblem KindTraits<ChainPathProblem>::read(reading::TableReader& docume
   problem.raster = read_chain_raster(document, problem);
   check_chain_raster(document, problem);
   check_movable(tables.target, problem);
-  problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies));
   problem.tolerances = read_chain_tolerances(document, problem.topologies, "length");
+  read_robust(tables.solve, robust_refusal(problem), problem.solve);
+  problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies),
+                                      layers_max_refusal(problem.solve));
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
     table->finish();

@@ -11,6 +11,7 @@
 #include "problems/chain/placed_starts.hpp"
 #include "problems/chain/problem.hpp"
 #include "problems/chain/raster.hpp"
+#include "problems/chain/robust.hpp"
 #include "problems/chain/scaled.hpp"
 #include "problems/chain/search.hpp"
 #include "problems/chain/verify.hpp"
@@ -21,6 +22,7 @@
 #include "problems/linkage/warnings.hpp"
 #include "problems/raster/report.hpp"
 #include "problems/raster/run_parts.hpp"
+#include "problems/search/objectives.hpp"
 #include "problems/search/solver_origin.hpp"
 #include "problems/search/statistics.hpp"
 
@@ -140,9 +142,60 @@ void add_chain_tolerances(const ChainPathProblem& problem, const Run& run, Resul
       result);
 }
 
+/// Minima of least error, and such with transmission angles far from those of dead points, which
+/// mind their dimensions less. `narrowed` must outlive them.
+std::vector<ChainMinimum> nominal_minima(const ChainPathProblem& problem,
+                                         const std::vector<ScaledChain>& chains,
+                                         std::vector<ScaledChain>& narrowed, const Run& run,
+                                         const Deadline& deadline, Result& result) {
+  Solve options = problem.solve;
+  options.designs = std::max(options.designs, kMinima);
+  const auto search = [&](const std::vector<ScaledChain>& spaces, const Run& part) {
+    return search_chains(spaces, options, part, deadline, result.work);
+  };
+  ChainSearchResult nominal = search(chains, part_of(run, 0, kNominalDone));
+  result.quantities = quantities(nominal.statistics);
+  Constraints own;
+  own.transmission_angle = problem.constraints.transmission_angle;
+  if (const auto limits = with_good_transmission(own)) {
+    ChainPathProblem other = problem;
+    other.constraints.transmission_angle = *limits->transmission_angle;
+    const TargetScale scale(problem.points);
+    for (const ScaledChain& chain : chains) narrowed.emplace_back(other, *chain.topology, scale);
+    std::ranges::move(search(narrowed, part_of(run, kNominalDone, kStartsDone)).designs,
+                      std::back_inserter(nominal.designs));
+  }
+  return std::move(nominal.designs);
+}
+
+/// The nominal optimum and other minima, and from these the designs whose quantile is least.
+Result find_robust_chains(const ChainPathProblem& problem, const std::vector<ScaledChain>& chains,
+                          const Run& run, const Deadline& deadline) {
+  const TargetScale scale(problem.points);
+  Result result;
+  run.enter(Phase::search, kStartsDone);
+  std::vector<ScaledChain> narrowed;
+  const auto minima = nominal_minima(problem, chains, narrowed, run, deadline, result);
+  const auto verify = [&](const ChainMinimum& found) -> std::optional<Design> {
+    const ScaledChain& space = *found.problem;
+    Design design = verified(problem, *space.topology,
+                             named(*space.topology, scale.out_of(space.chain, found.design)),
+                             angles_of_targets(found));
+    const bool is_met =
+        std::isfinite(design.error.sum_of_squares) && all_satisfied(design.constraints);
+    return is_met ? std::optional(std::move(design)) : std::nullopt;
+  };
+  RobustTask task = robust_chain_task(problem, scale, chains, minima, verify);
+  task.error = [](const Design& design) { return design.error.rms; };
+  add_robust(task, robust_designs(task, part_of(run, kStartsDone, 1), deadline), false, result);
+  result.status = status_of(result.designs, deadline);
+  return result;
+}
+
 /// The designs that the search finds, or those on the raster next to them.
 Result find_chains(const ChainPathProblem& problem, const std::vector<ScaledChain>& chains,
                    const Run& run, const Deadline& deadline) {
+  if (problem.solve.robust) return find_robust_chains(problem, chains, run, deadline);
   const TargetScale scale(problem.points);
   const ChainPathProblem searched = problem.is_movable ? without_sizes(problem) : problem;
   Result result;

@@ -83,7 +83,8 @@ inline constexpr std::string_view kRobustWorst = "worst";
 inline constexpr Key<Solve> kRobustKeys[] = {own_key<Solve>(
     "robust",
     "with [tolerance]: the share of what is made, 0.5 to 0.9999, whose error is to be least, or "
-    "\"worst\": of all that the tolerances allow; paths, functions and poses by least squares")};
+    "\"worst\": of all that the tolerances allow; paths, also of chains, functions and poses by "
+    "least squares")};
 
 inline constexpr Key<Solve> kCertificateKeys[] = {
     key<&Solve::certify>("certify",
