@@ -6,6 +6,7 @@
 
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/numbers/parallel.hpp"
+#include "problems/function/screen.hpp"
 #include "problems/function/search.hpp"
 
 namespace cognate::problems {
@@ -17,8 +18,6 @@ using synthesis::Solver;
 /// Starts of a round, and the fewest and most of a search where the file does not say.
 constexpr int kRound = 64, kFewestStarts = 128, kMostStarts = 256;
 constexpr int kIterations = 150;
-/// Weight of violated limits among the errors.
-constexpr double kPenalty = 10;
 /// Fits that end closer than this in the logarithms of lengths and in angles are one.
 constexpr double kSameFit = 1e-4;
 
@@ -150,7 +149,8 @@ class Explorer {
   }
 
   /// The lanes stop at the border of what closes; constraints lead along it. They keep no start to
-  /// another class than it began with: one whose crank turns fully in the end goes on in its own.
+  /// another class than it began with: one whose crank turns fully in the end goes on in its own,
+  /// or from its start within the class of that, whichever is better.
   void follow_border(const std::vector<FunctionFound>& starts,
                      std::vector<FunctionFound>& all) const {
     search_.for_each(all.size(), [&](std::size_t i) {
@@ -158,6 +158,12 @@ class Explorer {
       if (refiner_.confine(all[i])) {
         refine(all[i]);
         penalise(all[i]);
+        FunctionFound stayed = starts[i];
+        refiner_.stay(stayed);
+        refine(stayed);
+        penalise(stayed);
+        if (stayed.valid && !(all[i].valid && all[i].objective <= stayed.objective))
+          all[i] = stayed;
         return;
       }
       if (!is_nearly_folded(all[i].generator)) return;

@@ -27,7 +27,15 @@ bool is_same(const FunctionGenerator& a, const FunctionGenerator& b, double tole
 }  // namespace
 
 ConfinedFunctions::ConfinedFunctions(const FunctionProblem& problem)
-    : plain_(problem), crank_rocker_(problem), double_crank_(problem) {
+    : plain_(problem),
+      crank_rocker_(problem),
+      double_crank_(problem),
+      rocker_crank_(problem),
+      double_rocker_(problem),
+      triple_rocker_(problem) {
+  rocker_crank_.constraints.required_class = RequiredClass::rocker_crank;
+  double_rocker_.constraints.required_class = RequiredClass::double_rocker;
+  triple_rocker_.constraints.required_class = RequiredClass::triple_rocker;
   crank_rocker_.constraints.required_class = RequiredClass::crank_rocker;
   double_crank_.constraints.required_class = RequiredClass::double_crank;
 }
@@ -36,6 +44,19 @@ const FunctionProblem& ConfinedFunctions::of(const Lengths<double>& links) const
   const auto confined_to = confining_class(plain_.constraints, links);
   if (confined_to == plain_.constraints.required_class) return plain_;
   return confined_to == RequiredClass::crank_rocker ? crank_rocker_ : double_crank_;
+}
+
+const FunctionProblem& ConfinedFunctions::staying(const Lengths<double>& links) const {
+  switch (mobility_class(links)) {
+    case MobilityClass::rocker_crank:
+      return rocker_crank_;
+    case MobilityClass::double_rocker:
+      return double_rocker_;
+    case MobilityClass::triple_rocker:
+      return triple_rocker_;
+    default:
+      return plain_;
+  }
 }
 
 bool is_better(const FunctionFound& a, const FunctionFound& b) {
@@ -77,8 +98,18 @@ void FunctionRefiner::refine(FunctionFound& found, const FunctionSamples& wanted
                              synthesis::Objective objective, synthesis::Solver solver,
                              int iterations) const {
   confine(found);
+  FunctionFound stayed = found;
   refine_once(found, wanted, objective, solver, iterations);
-  if (confine(found)) refine_once(found, wanted, objective, solver, iterations);
+  if (!confine(found)) return;
+  refine_once(found, wanted, objective, solver, iterations);
+  stay(stayed);
+  refine_once(stayed, wanted, objective, solver, iterations);
+  if (stayed.valid && (!found.valid || is_better(stayed, found))) found = std::move(stayed);
+}
+
+void FunctionRefiner::stay(FunctionFound& found) const {
+  found.problem = &confined_.staying(found.generator.links);
+  found.valid = false;
 }
 
 void FunctionRefiner::refine_once(FunctionFound& found, const FunctionSamples& wanted,

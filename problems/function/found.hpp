@@ -25,9 +25,13 @@ class ConfinedFunctions {
   const FunctionProblem& plain() const { return plain_; }
   /// The problem that a search from a linkage of these lengths stays in: see `confining_class`.
   const FunctionProblem& of(const Lengths<double>& links) const;
+  /// Of a linkage whose crank does not turn fully, the problem confined to its class: to stay where
+  /// limits are those of the part used.
+  const FunctionProblem& staying(const Lengths<double>& links) const;
 
  private:
-  FunctionProblem plain_, crank_rocker_, double_crank_;
+  FunctionProblem plain_, crank_rocker_, double_crank_, rocker_crank_, double_rocker_,
+      triple_rocker_;
 };
 
 /// A start, or what has been made of it, and the problem it is confined to.
@@ -64,7 +68,8 @@ struct FunctionRules {
 ///
 /// A minimum whose crank turns fully, though it was confined to no class, is confined to the class
 /// that it has reached, so that its transmission angle is limited over the full turn, as the check
-/// of the design has it.
+/// of the design has it. Where the class that its start had leads to a better one within, that
+/// counts: many optima lie at the border of two classes.
 class FunctionRefiner {
  public:
   FunctionRefiner(const ConfinedFunctions& confined, const Run& run, const Deadline& deadline)
@@ -75,6 +80,10 @@ class FunctionRefiner {
   /// Gives `found` the class that it has reached, and drops what was known of it; false if it has
   /// one already, or needs none.
   bool confine(FunctionFound& found) const;
+
+  /// Confines `found`, whose crank does not turn fully, to the class that it has; what was known of
+  /// it is dropped.
+  void stay(FunctionFound& found) const;
 
   /// Goes on from where `found` stands, by the loss of the problem; keeps the result
   /// unless it is worse by the same objective.

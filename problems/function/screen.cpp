@@ -7,12 +7,21 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/function/dead_centre.hpp"
 #include "problems/function/length_ranges.hpp"
+#include "problems/linkage/linkage_constraints.hpp"
 #include "synthesis/lanes/function_fit.hpp"
 
 namespace cognate::problems {
 namespace {
 
 using synthesis::FunctionCandidates;
+
+/// The least and greatest cosine of the angles from `from` to `to`.
+Range cosines(double from, double to) {
+  const double top = std::ceil(from / kTurn) * kTurn;
+  const double bottom = std::ceil((from - kPi) / kTurn) * kTurn + kPi;
+  const auto [least, greatest] = std::minmax({std::cos(from), std::cos(to)});
+  return {bottom <= to ? -1 : least, top <= to ? 1 : greatest};
+}
 
 FunctionCandidates candidates_of(const std::vector<FunctionGenerator>& all) {
   constexpr std::size_t lanes = FunctionCandidates::lanes;
@@ -35,7 +44,33 @@ FunctionCandidates candidates_of(const std::vector<FunctionGenerator>& all) {
 
 FunctionScreen::FunctionScreen(const FunctionProblem& problem,
                                std::vector<synthesis::AnglePair> wanted)
-    : problem_(problem), wanted_(std::move(wanted)), ranges_(length_ranges(problem)) {}
+    : problem_(problem), wanted_(std::move(wanted)), ranges_(length_ranges(problem)) {
+  for (const synthesis::AnglePair& pair : wanted_) {
+    sweep_.min = std::min(sweep_.min, pair.input);
+    sweep_.max = std::max(sweep_.max, pair.input);
+  }
+}
+
+/// cos μ grows with the cosine of the crank's angle. Of a crank that turns fully the limit is that
+/// of the turn, as `confining_class` has it.
+double FunctionScreen::penalty(const FunctionGenerator& generator) const {
+  const auto& limit = problem_.constraints.transmission_angle;
+  if (!limit) return 0;
+  const auto& [l1, l2, l3, l4] = generator.links;
+  const auto confined_to = confining_class(problem_.constraints, generator.links);
+  const bool turns =
+      confined_to == RequiredClass::crank_rocker || confined_to == RequiredClass::double_crank;
+  const Range crank =
+      turns ? Range{-1, 1}
+            : cosines(generator.input_start + sweep_.min, generator.input_start + sweep_.max);
+  const auto cosine = [&](double of_crank) {
+    return (l2 * l2 + l3 * l3 - l1 * l1 - l4 * l4 + 2 * l1 * l4 * of_crank) / (2 * l2 * l3);
+  };
+  const double above = cosine(crank.max) - std::cos(limit->min);
+  const double below = std::cos(limit->max) - cosine(crank.min);
+  const double violation = kPenalty * std::max({above, below, 0.0});
+  return violation * violation;
+}
 
 std::vector<Assembly> FunctionScreen::assemblies() const {
   if (problem_.given.assembly) return {*problem_.given.assembly};
@@ -91,6 +126,7 @@ std::vector<FunctionStartPoint> FunctionScreen::screened(
       best.error = error;
       best.generator.assembly = assembly;
     }
+    best.error += penalty(best.generator);
   }
   return points;
 }
@@ -111,7 +147,7 @@ FunctionStartPoint FunctionScreen::scored(FunctionGenerator g) const {
                                            : clamped_start(*start, problem_.output_start_bounds);
   }
   const double sum = StructuralError(g).sum_of_squares(wanted_);
-  return {g, sum / static_cast<double>(wanted_.size())};
+  return {g, sum / static_cast<double>(wanted_.size()) + penalty(g)};
 }
 
 FunctionStartPoint FunctionScreen::best_assembly(FunctionGenerator g) const {

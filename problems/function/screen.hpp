@@ -9,6 +9,9 @@
 
 namespace cognate::problems {
 
+/// Weight of violated limits among the errors.
+inline constexpr double kPenalty = 10;
+
 /// Completes and scores generators of one problem. It must outlive this object, which any thread
 /// may use.
 class FunctionScreen {
@@ -32,22 +35,27 @@ class FunctionScreen {
   std::vector<FunctionGenerator> started(FunctionGenerator generator) const;
 
   /// Each of what `started` gives in its better assembly, with the mean square of the errors'
-  /// chords; infinite where it does not close. In SIMD lanes; the output's start angle is not set.
+  /// chords and the penalty of a violated limit of the transmission angle; infinite where it does
+  /// not close. In SIMD lanes; the output's start angle is not set.
   std::vector<FunctionStartPoint> screened(const std::vector<FunctionGenerator>& all) const;
 
-  /// Sets the start angles that follow from the rest; the error is the mean square of true errors.
+  /// Sets the start angles that follow from the rest; the error is the mean square of true errors,
+  /// with that penalty.
   FunctionStartPoint scored(FunctionGenerator generator) const;
 
   /// The better assembly of a linkage, scored.
   FunctionStartPoint best_assembly(FunctionGenerator generator) const;
 
  private:
+  /// What a violated limit of the transmission angle counts among mean squares.
+  double penalty(const FunctionGenerator& generator) const;
   bool starts_free() const { return problem_.start == FunctionStart::free; }
   std::vector<Assembly> assemblies() const;
 
   const FunctionProblem& problem_;
   std::vector<synthesis::AnglePair> wanted_;
   std::array<Range, 4> ranges_;
+  Range sweep_;  ///< of the input from its start
 };
 
 }  // namespace cognate::problems

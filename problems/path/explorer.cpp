@@ -110,7 +110,7 @@ class Explorer {
     if (!knows_lanes_ || problem_.order == PointOrder::any) return kMostLimitedStarts;
     const int affordable = kMostStartsTimesPoints / static_cast<int>(problem_.points.size());
     return std::clamp(affordable, kMostLimitedStarts,
-                      limits_way_ ? kMostHalfLimitedStarts : kMostStarts);
+                      places_ && limits_part_ ? kMostHalfLimitedStarts : kMostStarts);
   }
 
   void add_round(int first, int count) {
@@ -199,11 +199,13 @@ class Explorer {
   void add(std::vector<PathFound> fresh) {
     fit_.most_iterations = kExploringIterations;
     fit_.tolerance = kExploringTolerance;
-    // Half of the starts, of both kinds, are fitted within the limits on the way, of which the
-    // lanes know nothing: what is found without them may hide better minima within them.
-    for (std::size_t i = 0; limits_way_ && i < fresh.size(); ++i) {
+    // Half of the starts stay in their class, at whose border many optima lie: a descent that
+    // leaves it ends where other limits hold. And half of both kinds, points not being timed, are
+    // fitted within the limits on the way, of which the lanes know nothing: what is found without
+    // them may hide better minima within them.
+    for (std::size_t i = 0; limits_part_ && i < fresh.size(); ++i) {
       if (i % 8 < 4) confine(fresh[i]);
-      fresh[i].binds = i % 4 < 2 && !turns_fully(fresh[i].minimum.confined_to);
+      fresh[i].binds = places_ && i % 4 < 2 && !turns_fully(fresh[i].minimum.confined_to);
     }
     fit(fresh, {kDrawn, kFitted}, false);
     search_.add(std::move(fresh), kSameFit);
@@ -333,8 +335,9 @@ class Explorer {
                             !limits_turn(problem_.constraints) &&
                             !(problem_.timing == Timing::prescribed && limits_way(problem_));
   const bool is_limited_ = is_limited(problem_);
-  /// Whether untimed points are placed within limits of the transmission angle.
-  const bool limits_way_ = assigns_places(problem_) && limits_way(problem_);
+  /// Whether points that are not timed are placed, and the transmission angle is limited over the
+  /// part of the motion that is used.
+  const bool places_ = assigns_places(problem_), limits_part_ = limits_way(problem_);
   synthesis::PathFitOptions fit_;
   synthesis::MultiStart<PathRules> search_;
 };
