@@ -214,16 +214,54 @@ void sample(const ChangedCam& cam, const Tolerances& tolerances, const Run& run,
                           figures);
 }
 
-/// That a follower on a corner of its cam is not found, which only lessens what counts as
-/// assembled.
-void note_corners(const cam::MotionProgramme& programme, ToleranceResult& result) {
+/// That a follower on a corner of its cam, or on both flanks of a hollow, is not found, which only
+/// lessens what counts as assembled.
+void note_unassembled(const cam::MotionProgramme& programme, ToleranceResult& result) {
+  if (result.assembled == result.samples) return;
   const auto jumps = cam::jumps(programme);
   const bool has_corners =
       std::ranges::any_of(jumps, [](const cam::Jump& jump) { return jump.order <= 1; });
-  if (!has_corners || result.assembled == result.samples) return;
   result.notes.emplace_back(
-      "where the velocity jumps the cam has a corner; samples whose follower would rest on it "
-      "count as not assembled, so that yield and quantiles are worse than those of the parts");
+      has_corners
+          ? "where the velocity jumps the cam has a corner; samples whose follower would rest on "
+            "it "
+            "count as not assembled, so that yield and quantiles are worse than those of the parts"
+          : "a follower that is larger than a hollow of its cam rests on both flanks; samples "
+            "where "
+            "it does count as not assembled, so that yield and quantiles are worse than those of "
+            "the parts");
+}
+
+/// The least by which the base radius may shrink before the profile is undercut; not positive where
+/// it is as designed.
+double undercut_reserve(const cam::Cam& cam) {
+  constexpr int kScanned = 3600;
+  const auto& follower = cam.system.follower;
+  double least = kInfinity;
+  for (int k = 0; k < kScanned; ++k) {
+    const auto motion = cam.programme.at(kTurn * k / kScanned);
+    if (is_flat(follower.type)) {
+      least = std::min(least, face_state(follower, cam.system.start, motion).radius);
+      continue;
+    }
+    const double curvature = pitch_curvature(roller_state(follower, cam.system.start, motion));
+    if (curvature > 0) least = std::min(least, 1 / curvature - follower.dimensions.roller_radius);
+  }
+  return least;
+}
+
+void note_undercut(const ChangedCam& changed, const cam::Cam& cam, ToleranceResult& result) {
+  const auto& dimensions = changed.dimensions();
+  const auto base = std::ranges::find(dimensions, "base_radius", &TolerancedDimension::name);
+  const double shrunk = base == dimensions.end() ? 0 : base->deviation.minus;
+  const double reserve = undercut_reserve(cam);
+  if (reserve > shrunk) return;
+  result.notes.emplace_back(
+      reserve > 0
+          ? "the profile is undercut where the base radius is at its least: there the "
+            "follower drops further than these figures say"
+          : "the profile is undercut as designed, so that the follower does not keep to its "
+            "motion: these figures are of the profile without that");
 }
 
 void allocate(const ChangedCam& cam, const Tolerances& tolerances,
@@ -305,16 +343,16 @@ ToleranceResult tolerances_of(const CamProblem& problem, const CamDesign& design
     const double size = std::max(at.high, -at.low);
     return std::isfinite(size) ? size : -1;
   });
-  figures.exact = std::isfinite(figures.positions[figures.worst_exact].high);
-  figures.exact_everywhere = std::ranges::all_of(figures.positions, [](const PositionFigures& at) {
-    return std::isfinite(at.low) && std::isfinite(at.high);
-  });
+  figures.exact = figures.exact_everywhere = std::ranges::all_of(
+      figures.positions,
+      [](const PositionFigures& at) { return std::isfinite(at.low) && std::isfinite(at.high); });
   contribute(cam, rates, figures);
+  note_undercut(cam, design.cam, result);
   result.quantities.push_back(std::move(figures));
   allocate(cam, tolerances, rates, angle, result);
   if (tolerances.samples > 0) {
     sample(cam, tolerances, run, deadline, result);
-    note_corners(design.cam.programme, result);
+    note_unassembled(design.cam.programme, result);
   }
   if (angle) to_degrees(result.quantities.front());
   return result;

@@ -24,7 +24,7 @@ using synthesis::RasterPoint;
 
 /// How many of the best combinations are each searched as a problem of its own, where lengths are
 /// free beside the raster.
-constexpr std::size_t kSearched = 16;
+constexpr std::size_t kSearched = 48;
 /// Input start angles from which each combination is begun, where the file leaves them open.
 constexpr int kInputStarts = 12;
 

@@ -13,6 +13,7 @@
 #include "problems/guidance/order.hpp"
 #include "problems/guidance/problem.hpp"
 #include "problems/guidance/starts.hpp"
+#include "problems/linkage/linkage_constraints.hpp"
 #include "synthesis/search/multi_start.hpp"
 
 namespace cognate::problems {
@@ -127,12 +128,13 @@ class MotionSearch {
   }
 
   MotionFound explored(const MotionProblem& problem, MotionMinimum from);
-  MotionFound explored(const MotionStart& start);
-  MotionFound explored(const MotionStart& start, int index);
+  MotionFound explored(const MotionStart& start, bool confined);
+  MotionFound explored_in_turn(const MotionStart& start, int index);
   void fit(const MotionProblem& problem, Solver solver, const synthesis::Options& options,
            MotionMinimum& minimum);
   void put_in_order(const MotionProblem& problem, Solver solver, const synthesis::Options& options,
                     MotionFound& found);
+  void confine(MotionMinimum& minimum) const;
   void part_stations(const MotionProblem& problem, Solver solver, const synthesis::Options& options,
                      MotionFound& found);
   void add_known(const std::vector<DyadPair>& known);
@@ -171,23 +173,40 @@ MotionFound MotionSearch::explored(const MotionProblem& problem, MotionMinimum f
   return found;
 }
 
-MotionFound MotionSearch::explored(const MotionStart& start) {
-  return explored(coarse_, begun(coarse_, start));
+/// `confined`: to the class of the start.
+MotionFound MotionSearch::explored(const MotionStart& start, bool confined) {
+  MotionMinimum from = begun(coarse_, start);
+  if (confined) confine(from);
+  return explored(coarse_, std::move(from));
+}
+
+/// Keeps a minimum to its class, where its crank does not turn fully and a limit of the
+/// transmission angle is that of the part used: a descent that leaves it ends where other limits
+/// hold, and many optima lie at its border.
+void MotionSearch::confine(MotionMinimum& minimum) const {
+  MotionForm& form = minimum.form;
+  const bool is_link = form.second == synthesis::DyadKind::rr;
+  if (!is_link || form.confined_to || !coarse_.constraints.transmission_angle) return;
+  form.confined_to = open_class(coarse_.constraints,
+                                lengths_of(MotionModel(coarse_, form).pair(minimum.solution.x)));
 }
 
 /// Every second start is explored with some limits dropped, each time others, and from there with
-/// all of them: all limits together lead most starts to poor minima at their borders.
-MotionFound MotionSearch::explored(const MotionStart& start, int index) {
-  if (relaxed_.empty() || index % 2 == 0) return explored(start);
+/// all of them: all limits together lead most starts to poor minima at their borders. Half of both
+/// stay in their class.
+MotionFound MotionSearch::explored_in_turn(const MotionStart& start, int index) {
+  const bool confined = index % 4 > 1;
+  if (relaxed_.empty() || index % 2 == 0) return explored(start, confined);
   const MotionProblem& relaxed = relaxed_[static_cast<std::size_t>(index / 2) % relaxed_.size()];
   MotionFound there = explored(relaxed, begun(relaxed, start));
-  if (!there.valid) return explored(start);
+  if (!there.valid) return explored(start, confined);
   MotionMinimum& minimum = there.minimum;
   const MotionModel without(relaxed, minimum.form);
   minimum.form.confined_to = form_of(coarse_, without.pair(minimum.solution.x)).confined_to;
   minimum.solution.x =
       MotionModel(coarse_, minimum.form)
           .with_angles(minimum.solution.x, without.station_angles(minimum.solution.x));
+  if (confined) confine(minimum);
   return explored(coarse_, std::move(minimum));
 }
 
@@ -251,7 +270,7 @@ void MotionSearch::explore(const std::vector<DyadPair>& known, std::optional<int
 void MotionSearch::add_known(const std::vector<DyadPair>& known) {
   std::vector<MotionFound> fresh(known.size());
   search_.for_each(known.size(), [&](std::size_t i) {
-    fresh[i] = explored({known[i], "search"});
+    fresh[i] = explored({known[i], "search"}, false);
     fresh[i].hits = 0;  // no start of the search
   });
   add(std::move(fresh));
@@ -264,7 +283,7 @@ void MotionSearch::add_round(const MotionStarts& starts, int first, int count) {
     const int index = first + static_cast<int>(i);
     const auto start = starts.start(index);
     if (!start) return;
-    fresh[i] = explored(*start, index);
+    fresh[i] = explored_in_turn(*start, index);
     ++done;
   });
   work_.candidates += static_cast<std::uint64_t>(done);

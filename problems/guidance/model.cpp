@@ -26,6 +26,11 @@ SecondDyad second_of(const std::array<double, MotionModel::dimensions>& v) {
 
 }  // namespace
 
+Lengths<double> lengths_of(const DyadPair& pair) {
+  return {pair.first.length, norm(pair.second.in_body - pair.first.in_body), pair.second.length,
+          norm(pair.second.fixed - pair.first.fixed)};
+}
+
 MotionForm form_of(const MotionProblem& problem, const DyadPair& pair) {
   MotionForm form{pair.second.kind, {}, std::nullopt, {}};
   const SecondDyad second = second_dyad(pair.second);
@@ -40,9 +45,7 @@ MotionForm form_of(const MotionProblem& problem, const DyadPair& pair) {
     std::ranges::fill(form.sides, sum < 0 ? -1 : 1);
   }
   if (form.second == DyadKind::rr) {
-    form.confined_to = confining_class(
-        problem.constraints, {pair.first.length, norm(pair.second.in_body - pair.first.in_body),
-                              pair.second.length, norm(pair.second.fixed - pair.first.fixed)});
+    form.confined_to = confining_class(problem.constraints, lengths_of(pair));
   }
   return form;
 }

@@ -31,6 +31,9 @@ struct MotionForm {
   std::optional<std::pair<std::size_t, std::size_t>> ends;
 };
 
+/// The links of the four-bar of two links.
+Lengths<double> lengths_of(const DyadPair& pair);
+
 /// The form of the mechanism of two dyads, the first a link, as it stands nearest to the poses. All
 /// sides are the prevailing one where the problem excludes defects of branch or circuit.
 MotionForm form_of(const MotionProblem& problem, const DyadPair& pair);

@@ -39,7 +39,7 @@ constexpr int kRasterOrderings = 6;
 
 /// How many of the best combinations are each searched as a problem of its own, where dimensions
 /// are free beside the raster.
-constexpr std::size_t kSearchedMotions = 12;
+constexpr std::size_t kSearchedMotions = 16;
 
 struct MotionAxes {
   std::vector<int> dimensions;
@@ -204,6 +204,9 @@ class MotionRaster final : public synthesis::ModelRaster {
     for (std::size_t i = 0; i < dimensions_.size(); ++i) {
       give(given, dimensions_[i], variable_at(at, i));
     }
+    const bool first = given.first_is_driven;
+    give_pivots(given.bounds.pivot_a, given.bounds.pivot_d, first, given.fixed_pivots);
+    give_pivots(given.moving_bounds[0], given.moving_bounds[1], first, given.moving_pivots);
     return given;
   }
 
@@ -272,6 +275,17 @@ class MotionRaster final : public synthesis::ModelRaster {
     } else {
       coordinate(problem.moving_bounds[0], kMoving1);
     }
+  }
+
+  /// Both pivots of a kind, where bounds leave no choice of them.
+  static void give_pivots(const std::optional<Box>& driven, const std::optional<Box>& other,
+                          bool first_is_driven, std::vector<Vec2d>& pivots) {
+    const auto is_place = [](const std::optional<Box>& box) {
+      return box && box->min.x == box->max.x && box->min.y == box->max.y;
+    };
+    if (!pivots.empty() || !is_place(driven) || !is_place(other)) return;
+    pivots = {driven->min, other->min};
+    if (!first_is_driven) std::swap(pivots[0], pivots[1]);
   }
 
   RasterPoint in_form(std::size_t form, const DyadPair& pair) const {

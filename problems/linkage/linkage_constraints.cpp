@@ -71,6 +71,27 @@ std::optional<RequiredClass> confining_class(const Constraints& constraints, con
   return required;
 }
 
+std::optional<RequiredClass> open_class(const Constraints& constraints, const L& links) {
+  const auto& required = constraints.required_class;
+  if (required && *required != RequiredClass::grashof) return std::nullopt;
+  const MobilityClass mobility = mobility_class(links);
+  if (required && !is_of_class(mobility, *required)) return std::nullopt;
+  switch (mobility) {
+    case MobilityClass::crank_rocker:
+      return RequiredClass::crank_rocker;
+    case MobilityClass::double_crank:
+      return RequiredClass::double_crank;
+    case MobilityClass::rocker_crank:
+      return RequiredClass::rocker_crank;
+    case MobilityClass::double_rocker:
+      return RequiredClass::double_rocker;
+    case MobilityClass::triple_rocker:
+      return RequiredClass::triple_rocker;
+    default:
+      return std::nullopt;
+  }
+}
+
 LinkageConstraints::LinkageConstraints(const Constraints& constraints, double scale) {
   if (constraints.required_class) add_class(*constraints.required_class, scale);
   const bool crank_turns = constraints.required_class == RequiredClass::crank_rocker ||

@@ -25,6 +25,11 @@ bool is_of_class(MobilityClass found, RequiredClass required);
 std::optional<RequiredClass> confining_class(const Constraints& constraints,
                                              const Lengths<double>& start);
 
+/// The class of a linkage, unless one is required already, or the linkage is not of the kind that
+/// is: to stay where its limits hold.
+std::optional<RequiredClass> open_class(const Constraints& constraints,
+                                        const Lengths<double>& links);
+
 /// Class, transmission angle over the full turn, largest link ratio, proportions and time ratio, as
 /// functions c(l) ≥ 0.
 ///

@@ -217,7 +217,8 @@ class Explorer {
   void confine(PathFound& found) const {
     if (!found.valid || turns_fully(found.minimum.confined_to)) return;
     const PathModel model = model_of(problem_, found.minimum);
-    const auto own = open_class(problem_, lengths(model.linkage(found.minimum.solution.x)));
+    const auto own =
+        open_class(problem_.constraints, lengths(model.linkage(found.minimum.solution.x)));
     if (own) found.minimum.confined_to = own;
   }
 

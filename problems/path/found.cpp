@@ -92,27 +92,6 @@ double violation(const PathModel& model, std::span<const double> x) {
 
 }  // namespace
 
-std::optional<RequiredClass> open_class(const PathProblem& problem, const Lengths<double>& links) {
-  const auto& required = problem.constraints.required_class;
-  if (required && *required != RequiredClass::grashof) return std::nullopt;
-  const MobilityClass mobility = mobility_class(links);
-  if (required && !is_of_class(mobility, *required)) return std::nullopt;
-  switch (mobility) {
-    case MobilityClass::crank_rocker:
-      return RequiredClass::crank_rocker;
-    case MobilityClass::double_crank:
-      return RequiredClass::double_crank;
-    case MobilityClass::rocker_crank:
-      return RequiredClass::rocker_crank;
-    case MobilityClass::double_rocker:
-      return RequiredClass::double_rocker;
-    case MobilityClass::triple_rocker:
-      return RequiredClass::triple_rocker;
-    default:
-      return std::nullopt;
-  }
-}
-
 bool is_better(const PathFound& found, const PathFound& other) {
   if (found.strays != other.strays) return other.strays;
   const synthesis::Solution &a = found.minimum.solution, &b = other.minimum.solution;
@@ -190,7 +169,7 @@ synthesis::Solution minimise(const PathProblem& problem, PathFound& found, synth
   // curve may end at a change point: a descent towards it crawls unless it knows of the border.
   const bool turns = model.transmission_on_the_way() && crank_rotates(links);
   const auto side =
-      turns || is_near_change_point(links) ? open_class(problem, links) : std::nullopt;
+      turns || is_near_change_point(links) ? open_class(problem.constraints, links) : std::nullopt;
   if (!side || found.minimum.confined_to == side) return solution;
   const auto confined_to = std::exchange(found.minimum.confined_to, side);
   const PathModel confined = model_of(problem, found.minimum);
@@ -209,7 +188,8 @@ synthesis::Solution minimise(const PathProblem& problem, PathFound& found, synth
   // Where the crank has become fully rotatable and violates the limits, the descent is repeated
   // within the class that it began in.
   const bool lost = turns && solution.violation > kPathFeasibility;
-  const auto own = lost ? open_class(problem, lengths(model.linkage(start.solution.x))) : side;
+  const auto own =
+      lost ? open_class(problem.constraints, lengths(model.linkage(start.solution.x))) : side;
   if (!knows_limits || !own || own == side || own == confined_to) return solution;
   found.minimum.confined_to = own;
   along = in_order(model_of(problem, found.minimum));

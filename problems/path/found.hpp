@@ -33,9 +33,6 @@ struct PathFound {
   std::uint64_t evaluations = 0, gradients = 0, iterations = 0;
 };
 
-/// The class of a linkage, unless the file demands one, or the linkage is not of the kind it does.
-std::optional<RequiredClass> open_class(const PathProblem& problem, const Lengths<double>& links);
-
 /// Those that stray last, feasible ones first, then by objective or violation.
 bool is_better(const PathFound& a, const PathFound& b);
 

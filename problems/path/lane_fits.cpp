@@ -26,7 +26,7 @@ void confine_turning(const PathProblem& problem, const PathModel& model, double 
   const auto& x = found.minimum.solution.x;
   const Lengths<double> links = lengths(model.linkage(x));
   if (!model.transmission_on_the_way() || !crank_rotates(links)) return;
-  const auto own = open_class(problem, links);
+  const auto own = open_class(problem.constraints, links);
   if (!own) return;
   found.minimum.confined_to = own;
   double& violation = found.minimum.solution.violation;

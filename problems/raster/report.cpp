@@ -47,6 +47,12 @@ std::string coverage(const synthesis::RasterResult& found) {
         "local minimum in their ranges is better, which is no proof.",
         count(found.combinations), found.evaluated);
   }
+  if (!found.relaxed && found.ended_early) {
+    return fmt::format(
+        "The time ended before a design was found between the least and the greatest values of the "
+        "raster, from which its {} combinations are searched.",
+        count(found.combinations));
+  }
   if (!found.relaxed) {
     return fmt::format(
         "Nothing that meets every constraint was found between the least and the greatest values "
@@ -95,6 +101,11 @@ std::vector<std::string> raster_notes(const synthesis::RasterResult& found,
                              "constraint.");
     return notes;
   }
+  if (found.searched > 0 && static_cast<double>(found.searched) < found.combinations) {
+    notes.push_back(fmt::format(
+        "What is free beside the raster was searched anew for the {} most promising combinations.",
+        found.searched));
+  }
   if (!found.relaxed) return notes;
   const double best = measure.of(found.designs.front().objective);
   const double bound = measure.of(found.bound);
@@ -104,11 +115,6 @@ std::vector<std::string> raster_notes(const synthesis::RasterResult& found,
                    : fmt::format("which rounded has {:.4g}{}", measure.of(found.rounded->objective),
                                  found.rounded_is_accepted ? "" : " and breaks a constraint");
   const double continuous = measure.of(found.relaxed->objective);
-  if (found.searched > 0 && static_cast<double>(found.searched) < found.combinations) {
-    notes.push_back(fmt::format(
-        "What is free beside the raster was searched anew for the {} best combinations.",
-        found.searched));
-  }
   notes.push_back(fmt::format(
       "{} on the raster {:.4g}; of {} {:.4g}, {}; bound of the search {:.4g} (gap "
       "{:.3g} %).",

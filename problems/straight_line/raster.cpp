@@ -82,11 +82,19 @@ FourBarRaster segment_axes(const StraightLineProblem& problem, const SegmentMode
   return axes;
 }
 
+synthesis::ModelRasterOptions until(synthesis::ModelRasterOptions options,
+                                    const Deadline& deadline) {
+  options.deadline = &deadline;
+  return options;
+}
+
 class SegmentRaster final : public synthesis::ModelRaster {
  public:
   SegmentRaster(const StraightLineProblem& problem, const StraightLineProblem& scaled, double unit,
-                const SegmentForms& forms, const SegmentAcceptance& accepts)
-      : SegmentRaster(scaled, unit, forms, accepts, segment_axes(problem, forms.model(0), unit)) {}
+                const SegmentForms& forms, const SegmentAcceptance& accepts,
+                const Deadline& deadline)
+      : SegmentRaster(scaled, unit, forms, accepts, deadline,
+                      segment_axes(problem, forms.model(0), unit)) {}
 
   /// Of each assembly the best segments, their ends found anew; of a linkage with dimensions that
   /// are free also from the minima known.
@@ -161,9 +169,10 @@ class SegmentRaster final : public synthesis::ModelRaster {
 
  private:
   SegmentRaster(const StraightLineProblem& scaled, double unit, const SegmentForms& forms,
-                const SegmentAcceptance& accepts, FourBarRaster axes)
-      : ModelRaster(axes.axes, axes.variables, forms.models(), kSegmentOptions),
-        mending_(std::move(axes.axes), std::move(axes.variables), forms.models(), kMendingOptions),
+                const SegmentAcceptance& accepts, const Deadline& deadline, FourBarRaster axes)
+      : ModelRaster(axes.axes, axes.variables, forms.models(), until(kSegmentOptions, deadline)),
+        mending_(std::move(axes.axes), std::move(axes.variables), forms.models(),
+                 until(kMendingOptions, deadline)),
         scaled_(scaled),
         unit_(unit),
         forms_(forms),
@@ -302,7 +311,7 @@ SegmentRasterResult search_segment_raster(const StraightLineProblem& problem,
   SegmentForms forms(scaled);
   std::vector<int> numbers;
   for (const SegmentDesign& minimum : minima) numbers.push_back(forms.number_of(minimum.segment));
-  const SegmentRaster raster(problem, scaled, unit, forms, accepts);
+  const SegmentRaster raster(problem, scaled, unit, forms, accepts, deadline);
   std::vector<RasterPoint> from;
   for (std::size_t i = 0; i < minima.size(); ++i) {
     from.push_back(raster.point(numbers[i], forms.variables_of(numbers[i], minima[i].segment)));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "analysis/numbers/parallel.hpp"
 
@@ -75,6 +76,22 @@ void RasterIncumbents::insert(RasterNumbers at, std::vector<RasterPoint> points)
     best_.insert(place, {std::move(at), std::move(point)});
     return;
   }
+  if (options_.search && !is_full) remember(std::move(at), points);
+}
+
+/// Those that violate least, by their objectives.
+void RasterIncumbents::remember(RasterNumbers at, const std::vector<RasterPoint>& points) {
+  Rejected one{std::move(at), std::numeric_limits<double>::infinity(),
+               std::numeric_limits<double>::infinity()};
+  const auto rank = [](const Rejected& of) { return std::pair(of.violation, of.objective); };
+  for (const RasterPoint& point : points) {
+    const double violation = std::max(point.violation, options_.feasibility);
+    if (std::pair(violation, point.objective) >= rank(one)) continue;
+    one.violation = violation;
+    one.objective = point.objective;
+  }
+  rejected_.insert(std::ranges::upper_bound(rejected_, rank(one), {}, rank), std::move(one));
+  if (rejected_.size() > options_.searched) rejected_.pop_back();
 }
 
 std::vector<RasterNumbers> RasterIncumbents::neighbours(const RasterNumbers& at) const {
@@ -111,9 +128,11 @@ void RasterIncumbents::improve(const std::function<bool()>& is_over) {
   }
 }
 
-std::vector<RasterNumbers> RasterIncumbents::kept() const {
+std::vector<RasterNumbers> RasterIncumbents::promising() const {
   std::vector<RasterNumbers> all;
   for (const Kept& kept : best_) all.push_back(kept.at);
+  for (const Rejected& rejected : rejected_) all.push_back(rejected.at);
+  if (all.size() > options_.searched) all.resize(options_.searched);
   return all;
 }
 

@@ -40,8 +40,9 @@ class RasterIncumbents {
   /// Of the best; infinite without one.
   double objective() const;
   std::uint64_t evaluated() const { return looked_at_.size(); }
-  /// The combinations kept, best first.
-  std::vector<RasterNumbers> kept() const;
+  /// The combinations kept, best first, then those of which no design was accepted: as many as are
+  /// searched in the end.
+  std::vector<RasterNumbers> promising() const;
   /// As many as the options want, best first.
   std::vector<RasterPoint> take();
 
@@ -51,7 +52,13 @@ class RasterIncumbents {
     RasterPoint point;
   };
 
+  struct Rejected {
+    RasterNumbers at;
+    double violation, objective;  ///< of its best point
+  };
+
   std::size_t capacity() const;
+  void remember(RasterNumbers at, const std::vector<RasterPoint>& points);
   void insert(RasterNumbers at, std::vector<RasterPoint> points);
   std::vector<RasterNumbers> neighbours(const RasterNumbers& at) const;
 
@@ -59,6 +66,7 @@ class RasterIncumbents {
   const RasterOptions& options_;
   std::set<RasterNumbers> looked_at_;
   std::vector<Kept> best_;
+  std::vector<Rejected> rejected_;  ///< the most promising first
 };
 
 }  // namespace cognate::synthesis

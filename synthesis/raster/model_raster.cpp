@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "synthesis/search/multi_start.hpp"
+
 namespace cognate::synthesis {
 namespace {
 
@@ -159,10 +161,11 @@ std::optional<RasterPoint> ModelRaster::relaxed(const RasterBox& box,
     RasterPoint made = point(from.form, model.outwards(start));
     return std::isfinite(made.objective) ? std::optional(std::move(made)) : std::nullopt;
   }
-  const Solution solution = solve(options_.solver, model, start,
-                                  {.tolerance = options_.tolerance,
-                                   .feasibility = options_.feasibility,
-                                   .max_iterations = options_.iterations});
+  Options how{.tolerance = options_.tolerance,
+              .feasibility = options_.feasibility,
+              .max_iterations = options_.iterations};
+  if (options_.deadline) how = until(*options_.deadline, how);
+  const Solution solution = solve(options_.solver, model, start, how);
   if (solution.stop == Stop::no_value || !std::isfinite(solution.objective)) return std::nullopt;
   RasterPoint made;
   made.objective = solution.objective;

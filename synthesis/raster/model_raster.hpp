@@ -9,6 +9,7 @@
 #include "synthesis/optimise/model.hpp"
 #include "synthesis/optimise/solver.hpp"
 #include "synthesis/raster/raster.hpp"
+#include "synthesis/search/deadline.hpp"
 
 namespace cognate::synthesis {
 
@@ -62,6 +63,7 @@ struct ModelRasterOptions {
   double feasibility = 1e-9;
   /// Minima whose unknowns differ by no more, relative to 1 + |x|, are one.
   double same = 1e-5;
+  const Deadline* deadline = nullptr;  ///< when minima are left where they are
 };
 
 /// One or several models (assemblies, classes) of the same axes. A point's form is the number of

@@ -77,8 +77,8 @@ struct RasterOptions {
   std::span<const RasterPoint> known{};
   std::size_t minima = 6;  ///< that a box keeps, from which its halves go on
   /// Designs at one combination from a search that begins with none known; set where something is
-  /// free beside the axes. In the end the `searched` best combinations are searched by it, or all
-  /// where there are no more. Called from many threads at once.
+  /// free beside the axes. In the end the `searched` most promising combinations are searched by
+  /// it, or all where there are no more. Called from many threads at once.
   std::function<std::vector<RasterPoint>(const RasterNumbers& at)> search{};
   std::size_t searched = 0;
   int threads = 0;  ///< as in `thread_count`; the result does not depend on it
@@ -105,6 +105,7 @@ struct RasterResult {
   std::uint64_t evaluated = 0;  ///< combinations that were evaluated
   std::uint64_t boxes = 0;      ///< whose minima were found
   std::size_t searched = 0;     ///< combinations that were searched with none known
+  bool ended_early = false;     ///< by its deadline
 };
 
 /// Two searches of rasters that together are one: the best and the bounds of either, their counts

@@ -69,6 +69,7 @@ class RasterSearch {
       branch(std::move(roots));
     }
     if (options_.search) search_best();
+    result_.ended_early = is_over();
     result_.designs = best_.take();
     result_.evaluated = best_.evaluated();
     return std::move(result_);
@@ -128,7 +129,7 @@ class RasterSearch {
   void search_best() {
     const std::vector<RasterNumbers> all =
         result_.combinations <= static_cast<double>(options_.searched) ? combinations()
-                                                                       : best_.kept();
+                                                                       : best_.promising();
     std::vector<std::optional<Minima>> found(all.size());
     parallel_for(static_cast<int>(all.size()), options_.threads, [&](int index, int thread) {
       if (is_over()) return;
@@ -372,6 +373,7 @@ RasterResult together(RasterResult a, RasterResult b) {
   a.evaluated += b.evaluated;
   a.boxes += b.boxes;
   a.searched += b.searched;
+  a.ended_early = a.ended_early || b.ended_early;
   return a;
 }
 

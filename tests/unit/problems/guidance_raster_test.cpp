@@ -226,6 +226,24 @@ TEST(GuidanceRaster, SearchesWhatIsFreeBesideTheRasterByItself) {
   }
 }
 
+/// The crank angles nearest to the poses break their order at every combination: each is searched
+/// all the same.
+TEST(GuidanceRaster, SearchesCombinationsThatBreakALimitWhereTheyAreTried) {
+  const std::string file =
+      "kind = \"motion-generation\"\n[target]\nmethod = \"least-squares\"\nangle_weight = 2\n"
+      "poses = [[-0.638, 2.789, 0.156], [-0.527, 2.703, 0.692], [-0.456, 2.717, 2.258], [-0.355, "
+      "2.762, 2.378], [-0.228, 2.752, 5.121], [-0.202, 2.829, 6.709], [-0.152, 2.887, 8.082], "
+      "[-0.094, 2.975, 10.447]]\n[bounds]\nlength = [0.3, 12]\npivot_a = [[-6, -6], [6, 6]]\n"
+      "pivot_d = [[-8, -8], [8, 8]]\n[solve]\nstarts = 100\n";
+  const Result on_raster = solve(problem_of(file + "[raster]\npivots = [-1, 6]\n"), {.threads = 2});
+  const Result given = solve(
+      problem_of(file + "[mechanism]\ndyads = [\"RR\"]\nfixed_pivots = [[6, -1], [-1, -1]]\n"),
+      {.seed = 2, .threads = 2});
+  ASSERT_EQ(given.status, Status::solved);
+  ASSERT_EQ(on_raster.status, Status::solved);
+  EXPECT_LE(on_raster.designs.front().error.rms, 1.05 * given.designs.front().error.rms);
+}
+
 TEST(GuidanceRaster, RefusesWhatItCannotDo) {
   const auto fault = [](const std::string& text) {
     const auto read = parse_task("kind = \"motion-generation\"\n" + text);

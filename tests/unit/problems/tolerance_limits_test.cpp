@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 
+#include "analysis/numbers/constants.hpp"
 #include "problems/cam/problem.hpp"
 #include "problems/cam/result.hpp"
 #include "problems/evaluation/result.hpp"
@@ -131,6 +133,60 @@ TEST(ToleranceLimits, CornersOfACamAreSaid) {
   };
   EXPECT_TRUE(notes("constant-velocity"));
   EXPECT_FALSE(notes("cycloidal"));
+}
+
+bool cam_notes(const std::string& cam, std::string_view words) {
+  const auto read = parse_task<CamProblem>("kind = \"cam\"\n" + cam);
+  if (!read) {
+    ADD_FAILURE() << read.error().front().message;
+    return false;
+  }
+  const auto result = solve(*read, {.threads = 1});
+  const auto& all = result.designs.at(0).tolerance.value().notes;
+  return std::ranges::any_of(
+      all, [&](const std::string& note) { return note.find(words) != std::string::npos; });
+}
+
+/// A knife edge at the foot of a steep harmonic rise stands in a hollow of radius 0.052.
+TEST(ToleranceLimits, AFollowerLargerThanAHollowIsSaid) {
+  const auto says = [](const std::string& raised) {
+    return cam_notes(
+        "follower = {type = \"translating-knife\"}\nmotion = [{law = \"harmonic\", over_deg = 20, "
+        "rise "
+        "= 0.5}, {law = \"dwell\", over_deg = 120}, {law = \"cycloidal\", over_deg = 100, rise = "
+        "-0.5}, {law = \"dwell\", over_deg = 120}]\nmechanism = {base_radius = 1}\ntolerance = "
+        "{distribution = \"uniform\", samples = 400, base_radius = {minus = 0, plus = " +
+            raised + "}}\n",
+        "rests on both flanks");
+  };
+  EXPECT_TRUE(says("0.06"));
+  EXPECT_FALSE(says("0.03"));
+}
+
+/// Under a flat face the radius of curvature is r + s + s″, whose least value, with a cycloidal
+/// rise of 0.5 in 60°, is r − 2.411: by the formula of the law, over a fine grid.
+TEST(ToleranceLimits, AProfileThatIsUndercutWithinItsToleranceIsSaid) {
+  const double span = kPi / 3;
+  double least = kInfinity;
+  for (int k = 0; k <= 100'000; ++k) {
+    const double turn = kTurn * k / 100'000;
+    least = std::min(least, 0.5 * (turn - std::sin(turn)) / kTurn +
+                                0.5 * kTurn / (span * span) * std::sin(turn));
+  }
+  const auto says = [&](double reserve, double minus, std::string_view words) {
+    return cam_notes(
+        fmt::format(
+            "follower = {{type = \"translating-flat\"}}\nmotion = [{{law = \"cycloidal\", "
+            "over_deg = 60, rise = 0.5}}, {{law = \"dwell\", over_deg = 60}}, {{law = "
+            "\"cycloidal\", over_deg = 60, rise = -0.5}}, {{law = \"dwell\", over_deg = "
+            "180}}]\nmechanism = {{base_radius = {}}}\nconstraints = {{no_undercut = "
+            "false}}\ntolerance = {{base_radius = {{plus = 0, minus = {}}}, samples = 0}}\n",
+            reserve - least, minus),
+        words);
+  };
+  EXPECT_TRUE(says(0.01, 0.0101, "undercut where the base radius is at its least"));
+  EXPECT_FALSE(says(0.01, 0.0099, "undercut"));
+  EXPECT_TRUE(says(-0.001, 0.001, "undercut as designed"));
 }
 
 /// The ram by the links' own geometry: the bar from the origin through the crank's pin.

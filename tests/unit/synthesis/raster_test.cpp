@@ -282,6 +282,54 @@ TEST(Raster, KeepsOnlyDesignsThatAreAccepted) {
   }
 }
 
+/// One axis, and something free beside it whose minima near what is known are poor, or break a
+/// limit that `violation` knows; a search of its own finds the good one.
+class HiddenMinima final : public RasterTask {
+ public:
+  explicit HiddenMinima(bool known_are_sound) : known_are_sound_(known_are_sound) {}
+
+  static double good(double value) { return 1 + (value - 3) * (value - 3); }
+  static double poor(double value) { return 100 + (value - 8) * (value - 8); }
+
+  std::span<const RasterAxis> axes() const override { return axes_; }
+  std::vector<RasterPoint> relax(const RasterBox& box,
+                                 std::span<const RasterPoint> /*from*/) const override {
+    const double at = axes_[0].values.at(box.first[0]);
+    return {{.values = {at}, .objective = poor(at), .violation = known_are_sound_ ? 0.0 : 1.0}};
+  }
+  std::vector<RasterPoint> search(const RasterNumbers& at) const {
+    const double value = axes_[0].values.at(at[0]);
+    return {{.values = {value}, .objective = good(value)}};
+  }
+
+ private:
+  bool known_are_sound_;
+  std::vector<RasterAxis> axes_{{"whole", RasterValues::multiples(1, 0, 9)}};
+};
+
+TEST(Raster, SearchesWhatIsFreeBesideItAtTheMostPromisingCombinations) {
+  for (const bool known_are_sound : {true, false}) {
+    const HiddenMinima task(known_are_sound);
+    const RasterPoint from{.values = {0}};
+    const auto found = [&](std::size_t searched, int threads) {
+      return search_raster(task, std::span(&from, 1),
+                           {.search = [&](const RasterNumbers& at) { return task.search(at); },
+                            .searched = searched,
+                            .threads = threads});
+    };
+    const RasterResult all = found(10, 1), three = found(3, 1);
+    EXPECT_EQ(all.searched, 10u);
+    ASSERT_EQ(all.designs.size(), 1u);
+    EXPECT_EQ(all.designs.front().objective, HiddenMinima::good(3));
+    EXPECT_EQ(all.bound, all.designs.front().objective);
+    // The three that look best are 7, 8 and 9.
+    EXPECT_EQ(three.searched, 3u);
+    ASSERT_EQ(three.designs.size(), 1u);
+    EXPECT_EQ(three.designs.front().objective, HiddenMinima::good(7));
+    EXPECT_EQ(found(3, 4).designs.front().values, three.designs.front().values);
+  }
+}
+
 TEST(RasterValues, AreTheDoublesNearestToTheMultiples) {
   const RasterValues tenths = RasterValues::multiples(0.1, 0.05, 0.95);
   ASSERT_EQ(tenths.count(), 9);

@@ -1,0 +1,96 @@
+/// Optima at the border of two classes, where limits of the transmission angle are other ones: the
+/// search for any class is no worse than those for each class by itself. And the best is one that
+/// meets its limit, by the law of cosines.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "analysis/numbers/constants.hpp"
+#include "problems/function/problem.hpp"
+#include "problems/guidance/problem.hpp"
+#include "problems/linkage/result.hpp"
+#include "problems/linkage/verify.hpp"
+#include "problems/path/problem.hpp"
+#include "problems/read.hpp"
+
+namespace cognate::problems::border_optima_test {
+namespace {
+
+constexpr std::array kClasses{"crank-rocker", "double-crank", "rocker-crank", "double-rocker",
+                              "triple-rocker"};
+
+template <class Problem>
+Result solved(const std::string& text) {
+  const auto problem = parse_task<Problem>(text);
+  EXPECT_TRUE(problem) << problem.error().front().message;
+  return problem ? solve(*problem, {.threads = 2}) : Result{};
+}
+
+/// `greatest`: by the greatest error, not by the root mean square.
+double error_of(const Result& result, bool greatest) {
+  if (result.status != Status::solved) return kInfinity;
+  const auto& error = result.designs.front().error;
+  return greatest ? error.max : error.rms;
+}
+
+/// `text` ends with its constraints.
+template <class Problem>
+Result no_worse_than_in_any_class(const std::string& text, bool greatest = false) {
+  const Result result = solved<Problem>(text);
+  for (const char* name : kClasses) {
+    const Result confined = solved<Problem>(text + fmt::format("class = \"{}\"\n", name));
+    EXPECT_LE(error_of(result, greatest), error_of(confined, greatest) * (1 + 1e-3)) << name;
+  }
+  return result;
+}
+
+std::string function(const std::string& target, const std::string& limits) {
+  return "kind = \"function-generation\"\n[target]\n" + target +
+         "samples = 21\n[mechanism]\nframe = 1\n[constraints]\n" + limits;
+}
+
+TEST(BorderOptima, OfFunctionsByLeastSquares) {
+  const auto result = no_worse_than_in_any_class<FunctionProblem>(function(
+      "function = \"1/x\"\ndomain = [1, 2]\ninput_range_deg = 120\noutput_range_deg = 40\n",
+      "transmission_angle_deg = [50, 130]\n"));
+  ASSERT_EQ(result.status, Status::solved);
+  const Design& design = result.designs.front();
+  EXPECT_LT(design.error.rms, 0.0016);
+  const auto links = lengths(four_bar(design));
+  for (int k = 0; k <= 120; ++k) {
+    const double crank = *design.metrics.input_start + k * kDegree;
+    const double square = links.crank * links.crank + links.frame * links.frame -
+                          2 * links.crank * links.frame * std::cos(crank);
+    const double cosine = (links.coupler * links.coupler + links.rocker * links.rocker - square) /
+                          (2 * links.coupler * links.rocker);
+    EXPECT_LE(std::abs(cosine), std::cos(50 * kDegree) + 1e-9) << k;
+  }
+}
+
+TEST(BorderOptima, OfFunctionsByTheirGreatestError) {
+  const auto result = no_worse_than_in_any_class<FunctionProblem>(
+      function("function = \"log10(x)\"\ndomain = [1, 2]\ninput_range_deg = 90\noutput_range_deg = "
+               "40\nobjective = \"minimax\"\n",
+               "transmission_angle_deg = [50, 130]\nlink_ratio_max = 4\n"),
+      true);
+  EXPECT_EQ(result.status, Status::solved);
+}
+
+TEST(BorderOptima, OfTimedPaths) {
+  const auto result = no_worse_than_in_any_class<PathProblem>(
+      "kind = \"path-generation\"\n[target]\npoints = [[0.7467, 1.2037], [0.4147, 1.2519], "
+      "[0.0795, "
+      "1.221], [-0.2216, 1.1943], [-0.463, 1.2123], [-0.6342, 1.2487], [-0.739, 1.2257], [-0.7922, "
+      "1.0594], [-0.8128, 0.711], [-0.8182, 0.2152], [-0.8177, -0.3288], [-0.8102, -0.7998]]\n"
+      "timing = \"prescribed\"\ncrank_deg = [0, 14.3239, 28.6479, 42.9718, 57.2958, 71.6197, "
+      "85.9437, 100.2676, 114.5916, 128.9155, 143.2394, 157.5634]\n[constraints]\n"
+      "transmission_angle_deg = [40, 140]\n");
+  EXPECT_EQ(result.status, Status::solved);
+}
+
+}  // namespace
+}  // namespace cognate::problems::border_optima_test
