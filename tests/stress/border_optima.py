@@ -67,7 +67,9 @@ def error(arguments, kind, text):
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder, "problem.toml")
         file.write_text(text)
-        command = [arguments.program, "solve", str(file), "--json", "--threads", str(arguments.threads)]
+        command = [arguments.program, "solve", str(file), "--json"]
+        if arguments.threads:
+            command += ["--threads", str(arguments.threads)]
         answer = subprocess.run(command, capture_output=True, text=True, check=False)
     document = json.loads(answer.stdout)
     if document.get("status") != "solved":
@@ -101,7 +103,7 @@ def main():
     parser.add_argument("--kinds", nargs="*", choices=KINDS, default=list(KINDS))
     parser.add_argument("--count", type=int, default=20, help="problems of each kind")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--threads", type=int, default=0)
+    parser.add_argument("--threads", type=int)
     parser.add_argument("--worse-by", type=float, default=1e-3)
     parser.add_argument("--allowed", type=float, default=0, help="share of problems that may be worse")
     parser.add_argument("--keep", type=pathlib.Path, help="folder for the files of what is worse")
