@@ -260,7 +260,7 @@ void note_undercut(const ChangedCam& changed, const cam::Cam& cam, ToleranceResu
       reserve > 0
           ? "the profile is undercut where the base radius is at its least: there the "
             "follower drops further than these figures say"
-          : "the profile is undercut as designed, so that the follower does not keep to its "
+          : "the profile is undercut as designed, so that the follower misses a part of its "
             "motion: these figures are of the profile without that");
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "problems/linkage/verify.hpp"
 #include "problems/search/solver_origin.hpp"
@@ -104,7 +103,7 @@ void FunctionRefiner::refine(FunctionFound& found, const FunctionSamples& wanted
   refine_once(found, wanted, objective, solver, iterations);
   stay(stayed);
   refine_once(stayed, wanted, objective, solver, iterations);
-  if (stayed.valid && (!found.valid || is_better(stayed, found))) found = std::move(stayed);
+  if (stayed.valid && (!found.valid || is_better(stayed, found))) found = stayed;
 }
 
 void FunctionRefiner::stay(FunctionFound& found) const {
