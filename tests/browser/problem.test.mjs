@@ -8,6 +8,7 @@ import path from "node:path";
 import { after, before, test } from "node:test";
 import { launch, open, some, visit as visitReport } from "./browser.mjs";
 
+const LIBRARY = new URL("../../problems/library/", import.meta.url).pathname;
 let browser, folder;
 before(async () => {
   browser = await launch();
@@ -46,8 +47,16 @@ for (const name of some(["ellipse", "log10-refined", "three-angle-pairs", "exact
   test(`${name}: the file is the problem`, () => visit(name, {}, (page) => assertIsProblem(page, name)));
 }
 
+test("the card says whose error is to be least", async () => {
+  execFileSync(process.env.COGNATE, ["solve", "--quiet", "--out", folder, path.join(LIBRARY, "chain", "slider-crank-robust.toml")]);
+  const { page, faults, close } = await open(browser, path.join(folder, "slider-crank-robust.report.html"), { motion: "reduce" });
+  assert.equal((await rows(page)).Robust, "0.9");
+  await assertIsProblem(page, "slider-crank-robust");
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 // Those of which no sample is a whole problem.
-const LIBRARY = new URL("../../problems/library/", import.meta.url).pathname;
 for (const [kind, name] of some([["cam", "valve"], ["cam", "oscillating-roller"], ["quick-return", "crank-rocker-best"], ["straight-line", "chebyshev-classical"], ["path", "poses-and-points"]])) {
   test(`${kind}/${name}: the file is the problem`, async () => {
     execFileSync(process.env.COGNATE, ["solve", "--quiet", "--out", folder, path.join(LIBRARY, kind, `${name}.toml`)]);

@@ -8,6 +8,9 @@ import { LENGTH_UNIT, keyword, language, say } from "./words.js";
 // Of a file these are described elsewhere: its head, and how the answer is found and shown.
 const SHOWN_ELSEWHERE = ["kind", "title", "length_unit", "solve", "output", "warnings"];
 
+// What of `solve` says which design is best.
+const AIMS = ["objectives", "robust"];
+
 // The units of what is neither a length nor an angle.
 const UNITS_OF_KEYS = {
   mass: "kg", mass_per_length: say("unit.mass_by_length"), force: "N", torque: "N·m", stall_torque: "N·m", inertia: "kg·m²", gravity: say("unit.acceleration"),
@@ -115,9 +118,9 @@ export function showProblem(problem, kind) {
   byId("problem").hidden = !problem?.kind;
   if (!problem?.kind) return;
   const described = Object.entries(problem).filter(([key]) => !SHOWN_ELSEWHERE.includes(key)).flatMap(rowsOf);
-  const objectives = problem.solve?.objectives ? [[sentence(keyName("objectives", "")), valueParts(problem.solve.objectives, "objectives", "solve")]] : [];
+  const aims = AIMS.filter((key) => !isEmpty(problem.solve?.[key] ?? null)).map((key) => [sentence(keyName(key, "")), valueParts(problem.solve[key], key, "solve")]);
   const unit = LENGTH_UNIT ? [[say("dimensions.lengths_in"), [LENGTH_UNIT]]] : [];
-  byId("problem-list").replaceChildren(...[[say("problem.kind"), [kind]], ...unit, ...described, ...objectives].flatMap(([name, parts]) => {
+  byId("problem-list").replaceChildren(...[[say("problem.kind"), [kind]], ...unit, ...described, ...aims].flatMap(([name, parts]) => {
     const [dt, dd] = fact(name, "");
     dd.append(...parts);
     return [dt, dd];
