@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -118,6 +119,22 @@ class Designs {
     return feasible_.size() >= static_cast<std::size_t>(problem_.solve.designs);
   }
   bool any_feasible() const { return !feasible_.empty(); }
+  /// By their errors.
+  void sort() {
+    std::ranges::stable_sort(feasible_, {},
+                             [this](const Design& design) { return objective(design); });
+  }
+
+  /// Those that break a constraint and are better than any that does not, best first.
+  std::vector<Design> better_but_violating() const {
+    double least = kInfinity;
+    for (const Design& design : feasible_) least = std::min(least, objective(design));
+    std::vector<Design> better;
+    std::ranges::copy_if(violating_, std::back_inserter(better),
+                         [&](const Design& design) { return objective(design) < least; });
+    std::ranges::stable_sort(better, {}, [this](const Design& one) { return objective(one); });
+    return better;
+  }
 
   /// The best designs, with cognates named: feasible ones if there are any. Among those that meet
   /// the points to rounding the better transmission angle comes first.
@@ -142,6 +159,8 @@ class Designs {
   }
 
  private:
+  double objective(const Design& design) const { return path_objective(problem_, design); }
+
   /// `linkage` as it was found, where the target is.
   Design verified(const FourBar& linkage, const std::vector<double>& crank_angles) const {
     Design design = is_movable(problem_) ? moved(linkage, crank_angles)
@@ -220,6 +239,43 @@ Status status(const Deadline& deadline, bool ended_early, const Designs& designs
   return designs.any_feasible() ? Status::solved : Status::infeasible;
 }
 
+/// The limits of the transmission angle less what a design exceeds them by, and half of that again;
+/// empty where it breaks another constraint, or these by more than three degrees.
+std::optional<Range> narrowed_limits(const PathProblem& problem, const Design& design) {
+  constexpr double kMost = 3 * kDegree, kMore = 1.5;
+  const auto& limits = problem.constraints.transmission_angle;
+  const bool is_alone = std::ranges::all_of(design.constraints, [](const ConstraintCheck& check) {
+    return check.satisfied || check.name == "transmission_angle_deg";
+  });
+  if (!limits || !is_alone) return std::nullopt;
+  const double below = std::max(0.0, limits->min - design.metrics.transmission_min);
+  const double above = std::max(0.0, design.metrics.transmission_max - limits->max);
+  if (!(std::max(below, above) <= kMost)) return std::nullopt;
+  const Range narrowed{limits->min + kMore * below, limits->max - kMore * above};
+  return narrowed.min < narrowed.max ? std::optional(narrowed) : std::nullopt;
+}
+
+/// Whoever places points that are not timed may take the crank a little beyond where the search has
+/// the limits of the transmission angle: from designs that exceed them by little, within limits
+/// narrowed by that. `scaled` is `problem` by `scale`; `add` takes what is found.
+void search_within_narrower_limits(
+    const PathProblem& problem, const PathProblem& scaled, const PathScale& scale,
+    const std::vector<Design>& exceeding,
+    const std::function<PathSearchResult(const PathProblem&, Run)>& search,
+    const std::function<void(const PathProblem&, const PathSearchResult&)>& add, const Run& run) {
+  for (const Design& design : exceeding) {
+    const auto limits = narrowed_limits(problem, design);
+    if (!limits) continue;
+    PathProblem narrow = scaled;
+    narrow.constraints.transmission_angle = limits;
+    narrow.solve.starts = 0;
+    Run own = silent(run);
+    own.known = {design};
+    own.known.front().mechanism.description = scale.into(four_bar(design));
+    add(narrow, search(narrow, own));
+  }
+}
+
 Result solve_by_search(const PathProblem& problem, const Run& run, const Deadline& deadline) {
   const PathProblem searched = normalised(problem);
   const PathScale scale(searched);
@@ -230,17 +286,28 @@ Result solve_by_search(const PathProblem& problem, const Run& run, const Deadlin
   for (Design& design : scaled_run.known) {
     design.mechanism.description = scale.into(four_bar(design));
   }
-  const PathSearchResult found =
-      search_paths(scaled, solver, problem.solve.tolerance.value_or(kDefaultTolerance), scaled_run,
-                   deadline, result.work);
+  const auto search = [&](const PathProblem& one, const Run& own) {
+    return search_paths(one, solver, problem.solve.tolerance.value_or(kDefaultTolerance), own,
+                        deadline, result.work);
+  };
+  const PathSearchResult found = search(scaled, scaled_run);
   const bool ended_early = deadline.reached();
   Designs designs(problem, scale.size);
-  for (const PathMinimum& minimum : found.minima) {
-    const PathModel model = model_of(scaled, minimum);
-    std::vector<double> angles = model.crank_angles(minimum.solution.x);
-    for (double& angle : angles) angle = in_one_turn(angle);
-    designs.add(scale.out_of(model.linkage(minimum.solution.x)), angles,
-                search_origin(solver, minimum.from_exact ? "exact:nine-point" : "search"));
+  const auto add = [&](const PathProblem& of, const PathSearchResult& minima) {
+    for (const PathMinimum& minimum : minima.minima) {
+      const PathModel model = model_of(of, minimum);
+      std::vector<double> angles = model.crank_angles(minimum.solution.x);
+      for (double& angle : angles) angle = in_one_turn(angle);
+      designs.add(scale.out_of(model.linkage(minimum.solution.x)), angles,
+                  search_origin(solver, minimum.from_exact ? "exact:nine-point" : "search"));
+    }
+  };
+  add(scaled, found);
+  const bool counts_squares = problem.solve.loss == synthesis::Loss::none;
+  if (!ended_early && counts_squares && !is_movable(problem)) {
+    search_within_narrower_limits(problem, scaled, scale, designs.better_but_violating(), search,
+                                  add, run);
+    designs.sort();
   }
   result.status = status(deadline, ended_early, designs, !found.minima.empty());
   result.designs = designs.take();

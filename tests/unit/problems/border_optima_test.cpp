@@ -92,5 +92,28 @@ TEST(BorderOptima, OfTimedPaths) {
   EXPECT_EQ(result.status, Status::solved);
 }
 
+/// A planted triple-rocker: points that are not timed lie where the transmission angle exceeds its
+/// limit by a tenth of a degree, unless the limit is narrowed.
+TEST(BorderOptima, WherePointsThatAreNotTimedExceedALimitByLittle) {
+  constexpr double kPlantedSquares = 2.8083574854662344e-06;
+  for (const std::uint64_t seed : {1, 3}) {
+    const auto problem = parse_task<PathProblem>(
+        "kind = \"path-generation\"\n[target]\npoints = [[1.6975049567107643, "
+        "-0.8826871411989075], [1.6018468223224305, -0.9469781811578921], [1.532643812396854, "
+        "-0.9817001271832249], [0.9152666701425262, -0.9304245068091626], [0.8652676695677579, "
+        "-0.8862876234670627], [0.7756381768509972, -0.3788251359284918], [0.7817265287642217, "
+        "-0.3622500471001686], [0.9964209009647053, -0.08508484460422609]]\ntiming = "
+        "\"mixed\"\ncrank_deg = [0.0, \"free\", \"free\", \"free\", 59.32321055751953, \"free\", "
+        "\"free\", \"free\"]\ncrank_sense = \"cw\"\n[constraints]\nclass = "
+        "\"triple-rocker\"\ntransmission_angle_deg = [58.435219364808454, "
+        "80.6585892003361]\npivot_region = [[0.6137525764352463, -0.2666228387266124], "
+        "[2.1316575454679576, 0.5921475880553669]]\n");
+    ASSERT_TRUE(problem);
+    const Result result = solve(*problem, {.seed = seed, .threads = 2});
+    ASSERT_EQ(result.status, Status::solved) << seed;
+    EXPECT_LE(result.designs.front().error.sum_of_squares, kPlantedSquares) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace cognate::problems::border_optima_test
