@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "problems/chain/problem.hpp"
-#include "problems/chain/raster_axes.hpp"
+#include "problems/chain/raster/axes.hpp"
 #include "problems/chain/read_design.hpp"
 #include "problems/chain/read_target.hpp"
 #include "problems/chain/read_tolerances.hpp"

@@ -10,7 +10,7 @@
 #include "problems/chain/found_designs.hpp"
 #include "problems/chain/placed_starts.hpp"
 #include "problems/chain/problem.hpp"
-#include "problems/chain/raster.hpp"
+#include "problems/chain/raster/search.hpp"
 #include "problems/chain/robust.hpp"
 #include "problems/chain/scaled.hpp"
 #include "problems/chain/search.hpp"

@@ -8,7 +8,8 @@
 #include <utility>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/chain/raster_axes.hpp"
+#include "problems/chain/raster/axes.hpp"
+#include "problems/raster/options.hpp"
 #include "problems/raster/run_parts.hpp"
 #include "problems/raster/shared_work.hpp"
 
@@ -254,16 +255,12 @@ RasterDwells search_dwell_raster(const DwellSpace& space, const std::vector<Dwel
   RasterDwells result;
   if (from.empty()) return result;
   const DwellProblem& problem = *space.problem;
-  synthesis::RasterOptions options{.feasibility = kDwellFeasibility,
-                                   .met = kNoBand,
-                                   .designs = static_cast<std::size_t>(problem.solve.designs),
-                                   .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
-                                   .enumerate = kEvaluatedDwells,
-                                   .minima = kDwellMinima,
-                                   .searched = kSearchedDwells,
-                                   .threads = run.threads,
-                                   .deadline = &deadline,
-                                   .progress = run.progress};
+  auto options = raster_options(problem.solve, *problem.raster, run, deadline);
+  options.feasibility = kDwellFeasibility;
+  options.met = kNoBand;
+  options.enumerate = kEvaluatedDwells;
+  options.minima = kDwellMinima;
+  options.searched = kSearchedDwells;
   SharedWork shared(work);
   const Run alone = of_one_combination(run);
   if (!raster.is_given_whole()) {

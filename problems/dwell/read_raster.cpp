@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "problems/chain/raster_axes.hpp"
+#include "problems/chain/raster/axes.hpp"
 #include "problems/dwell/raster.hpp"
 #include "problems/raster/keys.hpp"
 #include "problems/raster/read.hpp"

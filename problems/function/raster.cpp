@@ -14,6 +14,7 @@
 #include "problems/function/model.hpp"
 #include "problems/linkage/linkage_keys.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/raster/options.hpp"
 #include "synthesis/raster/model_raster.hpp"
 
 namespace cognate::problems {
@@ -233,14 +234,10 @@ RasterFunctionResult search_function_raster(const FunctionProblem& problem,
                                 forms.all()[form].model->variables_of(minimum.generator)));
   }
   const bool is_minimax = problem.objective == FunctionObjective::minimax;
-  synthesis::RasterOptions options{.feasibility = kFunctionFeasibility,
-                                   .met = is_minimax ? std::sqrt(kMetExactly) : kMetExactly,
-                                   .designs = static_cast<std::size_t>(problem.solve.designs),
-                                   .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
-                                   .searched = kSearched,
-                                   .threads = run.threads,
-                                   .deadline = &deadline,
-                                   .progress = run.progress};
+  auto options = raster_options(problem.solve, *problem.raster, run, deadline);
+  options.feasibility = kFunctionFeasibility;
+  options.met = is_minimax ? std::sqrt(kMetExactly) : kMetExactly;
+  options.searched = kSearched;
   if (!raster.is_given_whole()) {
     options.search = [&](const RasterNumbers& at) {
       std::vector<RasterPoint> points;

@@ -7,7 +7,6 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "analysis/numbers/constants.hpp"
@@ -16,7 +15,9 @@
 #include "problems/guidance/dimensions.hpp"
 #include "problems/guidance/found.hpp"
 #include "problems/guidance/order.hpp"
+#include "problems/guidance/raster_axes.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/raster/options.hpp"
 #include "problems/raster/run_parts.hpp"
 #include "problems/raster/shared_work.hpp"
 #include "synthesis/raster/model_raster.hpp"
@@ -30,8 +31,6 @@ using synthesis::Pose;
 using synthesis::RasterNumbers;
 using synthesis::RasterPoint;
 
-/// How far values reach where nothing bounds them, in sizes.
-constexpr double kMotionReach = 1000;
 /// Crank angles at which the error of a pose is looked at before it is refined.
 constexpr int kScannedAngles = 180;
 /// How often poses out of order are put in order, each time with fewer crank angles.
@@ -40,75 +39,6 @@ constexpr int kRasterOrderings = 6;
 /// How many of the best combinations are each searched as a problem of its own, where dimensions
 /// are free beside the raster.
 constexpr std::size_t kSearchedMotions = 16;
-
-struct MotionAxes {
-  std::vector<int> dimensions;
-  std::vector<synthesis::RasterAxis> axes;
-  std::vector<synthesis::AxisVariable> variables;
-};
-
-/// The axes of a problem, in the file's unit.
-class MotionAxisList {
- public:
-  MotionAxisList(const MotionProblem& problem, const MotionModel& model, const MotionScale& scale)
-      : problem_(problem), free_(model.free_dimensions()), scale_(scale) {}
-
-  MotionAxes take() {
-    add_point(kMoving1, "moving_pivot_a", "moving_pivots", problem_.moving_bounds[0], {}, {});
-    add_point(kMoving2, "moving_pivot_d", "moving_pivots", problem_.moving_bounds[1], {}, {});
-    const Vec2d centre = scale_.out_of(Pose{}).at;
-    const auto& region = problem_.constraints.pivot_region;
-    add_point(kFixed1, "pivot_a", "pivots", problem_.bounds.pivot_a, region, centre);
-    add_point(kFixed2, "pivot_d", "pivots", problem_.bounds.pivot_d, region, centre);
-    add_length(kLength1, "crank", problem_.bounds.crank);
-    add_length(kLength2, "rocker", problem_.bounds.rocker);
-    return std::move(all_);
-  }
-
- private:
-  void add_point(int dimension, const std::string& name, std::string_view key,
-                 const std::optional<Box>& bounds, const std::optional<Box>& region,
-                 const Vec2d& offset) {
-    const RasterRule* rule = problem_.raster->rule(key);
-    if (rule == nullptr) return;
-    Range x{-kInfinity, kInfinity}, y = x;
-    for (const auto& box : {bounds, region}) {
-      if (!box) continue;
-      x = {std::max(x.min, box->min.x), std::min(x.max, box->max.x)};
-      y = {std::max(y.min, box->min.y), std::min(y.max, box->max.y)};
-    }
-    const std::string_view ends = key == "pivots" ? "xy" : "uv";
-    add(*rule, dimension, name + "." + ends[0], x, offset.x);
-    add(*rule, dimension + 1, name + "." + ends[1], y, offset.y);
-  }
-
-  void add_length(int dimension, const std::string& name, const std::optional<Range>& bounds) {
-    const RasterRule* rule = problem_.raster->rule(name);
-    if (rule == nullptr) return;
-    Range range = bounds.value_or(Range{0, kInfinity});
-    // A link of no length is none.
-    range.min = std::max(range.min, rule->step ? 0.5 * *rule->step : rule->values.front());
-    add(*rule, dimension, name, range, 0);
-  }
-
-  void add(const RasterRule& rule, int dimension, std::string name, const Range& range,
-           double offset) {
-    const auto place = std::ranges::find(free_, dimension);
-    if (place == free_.end()) return;
-    const double reach = kMotionReach * scale_.size();
-    all_.dimensions.push_back(dimension);
-    all_.axes.push_back(
-        {std::move(name), values_within(rule, range, {offset - reach, offset + reach})});
-    all_.variables.push_back({.variable = static_cast<int>(place - free_.begin()),
-                              .offset = offset,
-                              .scale = scale_.size()});
-  }
-
-  const MotionProblem& problem_;
-  std::span<const int> free_;
-  const MotionScale& scale_;
-  MotionAxes all_;
-};
 
 /// Forms with a crank angle for each pose: those of the minima, and both sides of the problem.
 class MotionForms {
@@ -178,7 +108,7 @@ class MotionRaster final : public synthesis::ModelRaster {
   MotionRaster(const MotionProblem& problem, const MotionProblem& scaled, const MotionScale& scale,
                const MotionForms& forms, const MotionAcceptance& accepts)
       : MotionRaster(problem, scaled, scale, forms, accepts,
-                     MotionAxisList(problem, forms.model(0), scale).take()) {}
+                     motion_axes(problem, forms.model(0), scale)) {}
 
   /// In each form, the crank where each pose is nearest; where these angles break the order or the
   /// circuit, also where they keep it.
@@ -200,14 +130,9 @@ class MotionRaster final : public synthesis::ModelRaster {
 
   /// A combination as a problem of its own, its dimensions given.
   MotionProblem given_at(const RasterNumbers& at) const {
-    MotionProblem given = scaled_;
-    for (std::size_t i = 0; i < dimensions_.size(); ++i) {
-      give(given, dimensions_[i], variable_at(at, i));
-    }
-    const bool first = given.first_is_driven;
-    give_pivots(given.bounds.pivot_a, given.bounds.pivot_d, first, given.fixed_pivots);
-    give_pivots(given.moving_bounds[0], given.moving_bounds[1], first, given.moving_pivots);
-    return given;
+    std::vector<double> values;
+    for (std::size_t i = 0; i < dimensions_.size(); ++i) values.push_back(variable_at(at, i));
+    return with_dimensions(scaled_, dimensions_, values);
   }
 
   /// A minimum of that problem in each form it may be of: with its own crank angles, or, the roles
@@ -254,39 +179,6 @@ class MotionRaster final : public synthesis::ModelRaster {
         forms_(forms),
         accepts_(accepts),
         dimensions_(std::move(axes.dimensions)) {}
-
-  /// Of a point both coordinates are on the raster, one after the other.
-  static void give(MotionProblem& problem, int dimension, double value) {
-    const auto coordinate = [&](std::optional<Box>& box, int first) {
-      if (!box) box = Box{};
-      (dimension == first ? box->min.x : box->min.y) = value;
-      (dimension == first ? box->max.x : box->max.y) = value;
-    };
-    if (dimension == kLength1) {
-      problem.crank = value;
-    } else if (dimension == kLength2) {
-      problem.rocker = value;
-    } else if (dimension >= kFixed2) {
-      coordinate(problem.bounds.pivot_d, kFixed2);
-    } else if (dimension >= kMoving2) {
-      coordinate(problem.moving_bounds[1], kMoving2);
-    } else if (dimension >= kFixed1) {
-      coordinate(problem.bounds.pivot_a, kFixed1);
-    } else {
-      coordinate(problem.moving_bounds[0], kMoving1);
-    }
-  }
-
-  /// Both pivots of a kind, where bounds leave no choice of them.
-  static void give_pivots(const std::optional<Box>& driven, const std::optional<Box>& other,
-                          bool first_is_driven, std::vector<Vec2d>& pivots) {
-    const auto is_place = [](const std::optional<Box>& box) {
-      return box && box->min.x == box->max.x && box->min.y == box->max.y;
-    };
-    if (!pivots.empty() || !is_place(driven) || !is_place(other)) return;
-    pivots = {driven->min, other->min};
-    if (!first_is_driven) std::swap(pivots[0], pivots[1]);
-  }
 
   RasterPoint in_form(std::size_t form, const DyadPair& pair) const {
     RasterPoint made;
@@ -429,14 +321,10 @@ RasterMotionResult search_motion_raster(const MotionProblem& problem, const Moti
   for (auto& [form, x] : starts) {
     from.push_back(raster.point(static_cast<int>(form), std::move(x)));
   }
-  synthesis::RasterOptions options{.feasibility = kMotionFeasibility,
-                                   .met = kMetExactly,
-                                   .designs = static_cast<std::size_t>(problem.solve.designs),
-                                   .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
-                                   .searched = kSearchedMotions,
-                                   .threads = run.threads,
-                                   .deadline = &deadline,
-                                   .progress = run.progress};
+  auto options = raster_options(problem.solve, *problem.raster, run, deadline);
+  options.feasibility = kMotionFeasibility;
+  options.met = kMetExactly;
+  options.searched = kSearchedMotions;
   SharedWork shared(work);
   const Run alone = of_one_combination(run);
   if (!raster.is_given_whole()) {

@@ -9,7 +9,7 @@
 #include "analysis/numbers/parallel.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/path/deviation_between_samples.hpp"
-#include "problems/path/exact_starts.hpp"
+#include "problems/path/exact/starts.hpp"
 #include "problems/path/lane_fits.hpp"
 #include "problems/path/order.hpp"
 #include "problems/path/starts.hpp"

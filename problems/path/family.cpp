@@ -4,8 +4,8 @@
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/random.hpp"
-#include "problems/path/exact.hpp"
-#include "problems/path/exact_designs.hpp"
+#include "problems/path/exact/designs.hpp"
+#include "problems/path/exact/solve.hpp"
 #include "synthesis/exact/nine_point/constrained_path.hpp"
 
 namespace cognate::problems {

@@ -16,6 +16,7 @@
 #include "problems/path/order.hpp"
 #include "problems/path/ordered_model.hpp"
 #include "problems/path/pivot_model.hpp"
+#include "problems/raster/options.hpp"
 #include "synthesis/raster/model_raster.hpp"
 
 namespace cognate::problems {
@@ -320,14 +321,10 @@ RasterPathResult search_path_raster(const PathProblem& problem, const PathProble
     from.push_back(
         raster.point(static_cast<int>(form), forms.all()[form].outwards(minimum.solution.x)));
   }
-  synthesis::RasterOptions options{.feasibility = kPathFeasibility,
-                                   .met = kMetExactly,
-                                   .designs = static_cast<std::size_t>(problem.solve.designs),
-                                   .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
-                                   .searched = kSearched,
-                                   .threads = run.threads,
-                                   .deadline = &deadline,
-                                   .progress = run.progress};
+  auto options = raster_options(problem.solve, *problem.raster, run, deadline);
+  options.feasibility = kPathFeasibility;
+  options.met = kMetExactly;
+  options.searched = kSearched;
   if (!raster.is_given_whole()) {
     options.search = [&](const RasterNumbers& at) {
       const PathProblem given = raster.given_at(at);

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/path/exact_designs.hpp"
+#include "problems/path/exact/designs.hpp"
 #include "synthesis/exact/nine_point/constrained_path.hpp"
 
 namespace cognate::problems::reading {

@@ -10,6 +10,7 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/linkage/four_bar_raster.hpp"
+#include "problems/raster/options.hpp"
 #include "problems/raster/run_parts.hpp"
 #include "problems/raster/shared_work.hpp"
 #include "problems/straight_line/model.hpp"
@@ -316,14 +317,10 @@ SegmentRasterResult search_segment_raster(const StraightLineProblem& problem,
   for (std::size_t i = 0; i < minima.size(); ++i) {
     from.push_back(raster.point(numbers[i], forms.variables_of(numbers[i], minima[i].segment)));
   }
-  synthesis::RasterOptions options{.feasibility = kSegmentFeasibility,
-                                   .designs = static_cast<std::size_t>(problem.solve.designs),
-                                   .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
-                                   .minima = kBoxMinima,
-                                   .searched = kSearchedSegments,
-                                   .threads = run.threads,
-                                   .deadline = &deadline,
-                                   .progress = run.progress};
+  auto options = raster_options(problem.solve, *problem.raster, run, deadline);
+  options.feasibility = kSegmentFeasibility;
+  options.minima = kBoxMinima;
+  options.searched = kSearchedSegments;
   SharedWork shared(work);
   const Run alone = of_one_combination(run);
   if (!raster.is_given_whole()) {

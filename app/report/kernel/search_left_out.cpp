@@ -1,6 +1,6 @@
 /// @file What the search in a page leaves out: the solvers of other libraries, and starts from
 /// exact synthesis through nine points, which take longer than a hand waits.
-#include "problems/path/exact_starts.hpp"
+#include "problems/path/exact/starts.hpp"
 #include "synthesis/optimise/gauss_newton.hpp"
 
 namespace cognate {

@@ -80,6 +80,25 @@ TEST(BorderOptima, OfFunctionsByTheirGreatestError) {
   EXPECT_EQ(result.status, Status::solved);
 }
 
+/// Starts of the least error exceed the limit: those that keep within it lead to the best.
+TEST(BorderOptima, OfFunctionsWhoseBestStartsExceedTheLimit) {
+  const auto result = no_worse_than_in_any_class<FunctionProblem>(
+      function("function = \"x^1.5\"\ndomain = [0, 1]\ninput_range_deg = 60\noutput_range_deg = "
+               "60\nobjective = \"minimax\"\n",
+               "transmission_angle_deg = [50, 130]\n"),
+      true);
+  EXPECT_EQ(result.status, Status::solved);
+}
+
+TEST(BorderOptima, OfMotions) {
+  const auto result = no_worse_than_in_any_class<MotionProblem>(
+      "kind = \"motion-generation\"\n[target]\nmethod = \"least-squares\"\nposes = [[0, 0, 0], "
+      "[1.022, -0.545, 3.8], [1.928, -0.09, 13.85], [2.87, 0.492, 22.67], [3.454, 0.493, 27.79], "
+      "[4.421, 0.272, 42.62], [5.445, 0.325, 56.72], [6.181, 0.446, 56.7]]\n[mechanism]\ndyads = "
+      "[\"RR\"]\n[constraints]\ntransmission_angle_deg = [40, 140]\n");
+  EXPECT_EQ(result.status, Status::solved);
+}
+
 TEST(BorderOptima, OfTimedPaths) {
   const auto result = no_worse_than_in_any_class<PathProblem>(
       "kind = \"path-generation\"\n[target]\npoints = [[0.7467, 1.2037], [0.4147, 1.2519], "

@@ -11,28 +11,16 @@
 #include <string>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/basics/quantity_key.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
+#include "tests/support/read_problems.hpp"
 
 namespace cognate::problems::function_raster_test {
 namespace {
 
-template <class Problem>
-Problem problem_of(const std::string& text) {
-  const auto problem = parse_task(text);
-  if (problem) return std::get<Problem>(*problem);
-  for (const Fault& fault : problem.error()) ADD_FAILURE() << fault.line << ": " << fault.message;
-  return {};
-}
-
-double number(const Result& result, std::string_view name) {
-  return find_quantity(result.quantities, QuantityKey<double>{name}).value_or(-1);
-}
-
-bool flag(const Result& result, std::string_view name) {
-  return find_quantity(result.quantities, QuantityKey<bool>{name}).value_or(false);
-}
+using test::flag;
+using test::number;
+using test::problem_of;
 
 /// max over α, φ starts by scans of its own would be long: the objective at the optimum of each
 /// combination comes from a second search, with all lengths given.

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/path/exact_starts.hpp"
+#include "problems/path/exact/starts.hpp"
 #include "tests/support/planted_path.hpp"
 
 namespace cognate::problems::path_exact_starts_test {

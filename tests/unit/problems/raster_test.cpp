@@ -13,32 +13,20 @@
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/basics/quantity_key.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/path/pivot_model.hpp"
 #include "problems/path/scale.hpp"
 #include "problems/read.hpp"
 #include "synthesis/optimise/check_derivatives.hpp"
+#include "tests/support/read_problems.hpp"
 
 namespace cognate::problems::raster_test {
 namespace {
 
-template <class Problem>
-Problem problem_of(const std::string& text) {
-  const auto problem = parse_task(text);
-  if (problem) return std::get<Problem>(*problem);
-  for (const Fault& fault : problem.error()) ADD_FAILURE() << fault.line << ": " << fault.message;
-  return {};
-}
-
-double number(const Result& result, std::string_view name) {
-  return find_quantity(result.quantities, QuantityKey<double>{name}).value_or(-1);
-}
-
-bool flag(const Result& result, std::string_view name) {
-  return find_quantity(result.quantities, QuantityKey<bool>{name}).value_or(false);
-}
+using test::flag;
+using test::number;
+using test::problem_of;
 
 struct Bar {
   double crank, coupler, rocker;

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/basics/quantity_key.hpp"
 #include "problems/chain/problem.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/read.hpp"
+#include "tests/support/read_problems.hpp"
 
 namespace cognate::problems::robust_chain_test {
 namespace {
@@ -87,8 +87,10 @@ double quantile(const ChainPathProblem& problem, const Design& design) {
   return errors[static_cast<std::size_t>(0.9 * kSamples)];
 }
 
-double fact(const Result& result, std::string_view name) {
-  return find_quantity(result.quantities, QuantityKey<double>{name}).value_or(-1);
+using test::number;
+
+ChainPathProblem problem_of(const std::string& text) {
+  return test::problem_of<ChainPathProblem>(text);
 }
 
 std::string file(const std::string& mechanism, const std::string& solve) {
@@ -98,18 +100,12 @@ std::string file(const std::string& mechanism, const std::string& solve) {
          mechanism + "[tolerance]\nlength = 0.1\nslider-C = 0.3\nsamples = 0\n[solve]\n" + solve;
 }
 
-ChainPathProblem problem_of(const std::string& text) {
-  auto read = parse_task<ChainPathProblem>(text);
-  if (read) return *std::move(read);
-  ADD_FAILURE() << read.error().front().message;
-  return {};
-}
-
 TEST(RobustChains, ASliderCrankErrsLessThanTheNominalOptimum) {
   const auto problem = problem_of(file("type = \"slider-crank\"\n", "robust = 0.9\nstarts = 64\n"));
   const Result result = solve(problem, {});
   ASSERT_EQ(result.status, Status::solved);
-  const double robust = fact(result, "robust_quantile"), nominal = fact(result, "nominal_quantile");
+  const double robust = number(result, "robust_quantile"),
+               nominal = number(result, "nominal_quantile");
   EXPECT_LT(robust, 0.8 * nominal);
   const Design &first = result.designs.front(), &last = result.designs.back();
   EXPECT_NEAR(bars_of(problem, last).greatest_error(last.crank_angles, problem.points),
@@ -131,8 +127,25 @@ TEST(RobustChains, WhatIsGivenStaysAsItIs) {
     EXPECT_DOUBLE_EQ(std::get<CrankDescription>(chain.drive).length, 30);
   }
   const Design& first = result.designs.front();
-  const double robust = fact(result, "robust_quantile");
+  const double robust = number(result, "robust_quantile");
   EXPECT_NEAR(quantile(problem, first), robust, 0.03 * robust);
+}
+
+/// Where the crank follows, the quantile is that of the evaluator of tolerances, which goes body by
+/// body where the search goes by points.
+TEST(RobustChains, PointsThatAreNotTimedAreMetWhereTheCrankFollows) {
+  const auto problem = problem_of(
+      "kind = \"path-generation\"\n[target]\npoints = [[20, 30], [35, 42], [52, 46], [68, 42], "
+      "[78, "
+      "31], [70, 22], [50, 18], [30, 20]]\n[mechanism]\ntype = "
+      "\"slider-crank\"\n[tolerance]\nlength "
+      "= 0.1\npivots = 0.05\nsamples = 200000\n[solve]\nrobust = 0.99\nstarts = 32\n");
+  const Result result = solve(problem, {});
+  ASSERT_EQ(result.status, Status::solved);
+  const Design& first = result.designs.front();
+  const auto q99 = find_quantity(first.metrics.quantities, QuantityKey<double>{"tolerance_q99"});
+  ASSERT_TRUE(q99);
+  EXPECT_NEAR(*q99, number(result, "robust_quantile"), 0.02 * *q99);
 }
 
 TEST(RobustChains, RefusesWhatItCannotDo) {

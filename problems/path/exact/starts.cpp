@@ -1,11 +1,11 @@
-#include "problems/path/exact_starts.hpp"
+#include "problems/path/exact/starts.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/linkage/verify.hpp"
-#include "problems/path/exact_designs.hpp"
+#include "problems/path/exact/designs.hpp"
 #include "synthesis/exact/nine_point/nine_point.hpp"
 
 namespace cognate::problems {

@@ -1,4 +1,4 @@
-#include "problems/path/exact_designs.hpp"
+#include "problems/path/exact/designs.hpp"
 
 #include <algorithm>
 #include <cmath>

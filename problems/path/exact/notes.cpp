@@ -5,7 +5,7 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/linkage/verify.hpp"
-#include "problems/path/exact.hpp"
+#include "problems/path/exact/solve.hpp"
 
 namespace cognate::problems {
 namespace {

@@ -1,4 +1,4 @@
-#include "problems/chain/raster_axes.hpp"
+#include "problems/chain/raster/axes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "problems/chain/raster_descent.hpp"
+#include "problems/chain/raster/descent.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "problems/path/exact.hpp"
+#include "problems/path/exact/solve.hpp"
 
 #include <fmt/core.h>
 
@@ -10,7 +10,7 @@
 #include "analysis/numbers/parallel.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
-#include "problems/path/exact_designs.hpp"
+#include "problems/path/exact/designs.hpp"
 #include "synthesis/exact/nine_point/constrained_path.hpp"
 
 namespace cognate::problems {

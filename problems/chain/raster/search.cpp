@@ -1,4 +1,4 @@
-#include "problems/chain/raster.hpp"
+#include "problems/chain/raster/search.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,10 +10,11 @@
 #include "problems/chain/ordered_angles.hpp"
 #include "problems/chain/placed_fit.hpp"
 #include "problems/chain/placed_starts.hpp"
-#include "problems/chain/raster_axes.hpp"
-#include "problems/chain/raster_descent.hpp"
+#include "problems/chain/raster/axes.hpp"
+#include "problems/chain/raster/descent.hpp"
 #include "problems/chain/refine.hpp"
 #include "problems/linkage/verify.hpp"
+#include "problems/raster/options.hpp"
 #include "problems/raster/run_parts.hpp"
 #include "problems/raster/shared_work.hpp"
 
@@ -269,14 +270,10 @@ RasterChainResult search_chain_raster(const ChainPathProblem& problem, const Sca
                                       const Deadline& deadline, Work& work) {
   const ChainRaster raster(*problem.raster, scaled, scale, accepts);
   std::vector<RasterPoint> from, known;
-  synthesis::RasterOptions options{.feasibility = kChainFeasibility,
-                                   .met = kMetExactly,
-                                   .designs = static_cast<std::size_t>(problem.solve.designs),
-                                   .most_nodes = static_cast<std::uint64_t>(problem.raster->boxes),
-                                   .searched = kSearchedChains,
-                                   .threads = run.threads,
-                                   .deadline = &deadline,
-                                   .progress = run.progress};
+  auto options = raster_options(problem.solve, *problem.raster, run, deadline);
+  options.feasibility = kChainFeasibility;
+  options.met = kMetExactly;
+  options.searched = kSearchedChains;
   if (scaled.is_movable) {
     const auto starts = placed_starts(scaled, found);
     for (const PlacedChain& start : starts) from.push_back(raster.point(start));

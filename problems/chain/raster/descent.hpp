@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "problems/chain/placed_fit.hpp"
-#include "problems/chain/raster_axes.hpp"
+#include "problems/chain/raster/axes.hpp"
 #include "problems/linkage/result.hpp"
 
 namespace cognate::problems {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "problems/linkage/result.hpp"
-#include "problems/path/exact_designs.hpp"
+#include "problems/path/exact/designs.hpp"
 #include "problems/path/problem.hpp"
 #include "synthesis/exact/nine_point/fixed_parts.hpp"
 #include "synthesis/exact/nine_point/nine_point.hpp"
