@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "analysis/cam/profile.hpp"
@@ -111,6 +112,39 @@ TEST(ChangedFollower, TheRollerTouchesTheProfile) {
       EXPECT_NEAR(distance_from(profile, seen), d.roller_radius + changes.roller_radius, 1e-6)
           << static_cast<int>(type) << ' ' << k;
     }
+  }
+}
+
+/// The least distance of a point from the pitch curve as designed, the cam standing at `angle`.
+double distance_from_pitch_curve(const Cam& cam, double angle, const Vec2d& point) {
+  const auto at = [&](double along) {
+    const auto state = roller_state(cam.system.follower, cam.system.start, cam.programme.at(along));
+    const double turn = angle - along;
+    return norm(Vec2d{std::cos(turn), std::sin(turn)} * state.centre - point);
+  };
+  double low = angle - 0.05, high = angle + 0.05;
+  for (int step = 0; step < 200; ++step) {
+    const double one = low + (high - low) / 3, other = high - (high - low) / 3;
+    (at(one) < at(other) ? high : low) = at(one) < at(other) ? other : one;
+  }
+  return at(0.5 * (low + high));
+}
+
+// To the last digits: a roller larger by some stands off the pitch curve by that.
+TEST(ChangedFollower, TheRollerStandsOffThePitchCurveByWhatItIsLarger) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(-1, 1), angles(0, kTurn);
+  const Cam cam = cam_of(FollowerType::translating_roller, ArmSide::trailing);
+  for (int k = 0; k < 400; ++k) {
+    Dimensions changes{};
+    changes.roller_radius = 0.2 + 0.1 * any(random);
+    changes.offset = 0.3 * any(random);
+    const double angle = angles(random);
+    const auto off = ChangedFollower(cam, angle).misplacement(changes);
+    ASSERT_TRUE(off);
+    const double place = cam.system.start + cam.programme.at(angle).displacement + *off;
+    const Vec2d centre{cam.system.follower.dimensions.offset + changes.offset, place};
+    EXPECT_NEAR(distance_from_pitch_curve(cam, angle, centre), changes.roller_radius, 1e-12) << k;
   }
 }
 
