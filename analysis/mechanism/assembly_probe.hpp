@@ -30,10 +30,14 @@ class AssemblyProbe {
   /// Of dyad `index` at a position in `run`.
   Reach dyad_reach(const AssemblyRange& run, double drive, int index);
 
-  /// The closure of dyad `index` at a position in `run`.
+  /// The closure of dyad `index` at a position in `run`; its rate is not a number at a dead point
+  /// that ends the run.
   const DyadClosure<Dual>& closure(const AssemblyRange& run, double drive, int index);
 
  private:
+  /// The closure of dyad `index` with `sides_`.
+  const DyadClosure<Dual>& evaluate_at(double drive, int index);
+
   /// Leaves the dyads to evaluate at those that dyad `index` may depend on, and itself.
   void keep_to(int index);
 

@@ -222,6 +222,12 @@ void sides_at(const AssemblyRange& run, double drive, std::span<double> sides) {
   }
 }
 
+void sides_or_none_at(const AssemblyRange& run, double drive, std::span<double> sides) {
+  sides_at(run, drive, sides);
+  if (run.from_dyad >= 0 && drive == run.from) sides[static_cast<std::size_t>(run.from_dyad)] = 0;
+  if (run.to_dyad >= 0 && drive == run.to) sides[static_cast<std::size_t>(run.to_dyad)] = 0;
+}
+
 std::vector<double> sides_at(const AssemblyRange& run, double drive) {
   std::vector<double> sides(run.sides.size());
   sides_at(run, drive, sides);

@@ -56,6 +56,10 @@ std::vector<double> sides_at(const AssemblyRange& run, double drive);
 /// The same, written to `sides`.
 void sides_at(const AssemblyRange& run, double drive, std::span<double> sides);
 
+/// The same, but 0 (neither assembly) of a dyad whose dead point ends `run` at `drive`: the root of
+/// what rounding leaves there would be half of the digits, in all that moves with the dyad.
+void sides_or_none_at(const AssemblyRange& run, double drive, std::span<double> sides);
+
 /// The motion from `start` to `end` of the drive (`end` may be the less): with the described
 /// assemblies at `start`, and through change points smoothly. Beyond a gap the dyads that could not
 /// be assembled in it are as described again.

@@ -145,7 +145,9 @@ std::optional<CircuitRange> circuit_range(const Mechanism<double>& mechanism,
                                           const AssemblyRange& run, const Travel& travel,
                                           const std::function<bool()>& stop) {
   double drive = run.from + (run.to - run.from) / 2;
-  const auto is_change = [&](const Change& change) { return change.drive == drive; };
+  const auto is_change = [&](const Change& change) {
+    return std::abs(change.drive - drive) <= kSameRange * (run.to - run.from);
+  };
   if (std::ranges::any_of(run.changes, is_change)) drive = run.from + (run.to - run.from) * 0.382;
   return Circuit(mechanism, travel, stop).from(drive, sides_at(run, drive));
 }

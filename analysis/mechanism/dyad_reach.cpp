@@ -56,6 +56,12 @@ Reach reach_of(const Cylinder<double>& dyad, Bodies bodies, double length) {
   return reach_of(Rrr<double>{dyad.base, dyad.pivot, std::abs(length), dyad.length}, bodies);
 }
 
+/// Of a² − b² of lengths a and b that may be off by `tolerance` against each other; at least what
+/// `least`, the rounding of either, makes of it.
+double of_square_difference(double a, double b, double tolerance, double least) {
+  return tolerance * std::max(a + b, least);
+}
+
 /// Of the product of p = d² − (l₁ − l₂)² and q = (l₁ + l₂)² − d², over (2 l₁ l₂)², where each
 /// length may be off by the tolerance of the class: rrr_motion.hpp computes them as accurately.
 double four_bar_rounding(const Rrr<double>& dyad, const Crank<double>& crank, const Reach& reach) {
@@ -64,8 +70,8 @@ double four_bar_rounding(const Rrr<double>& dyad, const Crank<double>& crank, co
   const double frame = norm(pivot.at - crank.pivot);
   const double tolerance = kChangePointTolerance * std::max({crank.length, l1, l2, frame});
   const double p = (d - reach.least) * (d + reach.least), q = (reach.most - d) * (reach.most + d);
-  const double of_p = tolerance * (2 * reach.least + tolerance);
-  const double of_q = tolerance * 2 * reach.most;
+  const double of_p = of_square_difference(d, reach.least, tolerance, tolerance);
+  const double of_q = of_square_difference(reach.most, d, tolerance, tolerance);
   const double by_lengths = 0.5 / (l1 * l2);
   return (of_p * std::abs(q) + std::abs(p) * of_q + of_p * of_q) * by_lengths * by_lengths;
 }
@@ -86,7 +92,6 @@ Reach reach(const Dyad<double>& dyad, Bodies bodies, double drive) {
 
 double discriminant_rounding(const Mechanism<double>& mechanism, int index, const Reach& reach) {
   const Dyad<double>& dyad = mechanism.dyads[static_cast<std::size_t>(index)];
-  const double tolerance = kChangePointTolerance * reach.extent;
   if (const auto* rrr = std::get_if<Rrr<double>>(&dyad)) {
     if (const auto* crank = std::get_if<Crank<double>>(&mechanism.drive)) {
       if (rrr->first.body + rrr->second.body == 1) return four_bar_rounding(*rrr, *crank, reach);
@@ -98,9 +103,15 @@ double discriminant_rounding(const Mechanism<double>& mechanism, int index, cons
     const double length = std::abs(reach.most - cylinder->length);
     return kRounding + 2 * kRounding * reach.extent * reach.distance / (length * cylinder->length);
   }
-  if (const auto* rrp = std::get_if<Rrp<double>>(&dyad)) return 2 * tolerance / rrp->length;
+  // The classes of mechanisms with slides count lengths in parts of a power of two.
+  const double unit = std::ldexp(1.0, std::ilogb(reach.extent));
+  const double tolerance = kChangePointTolerance * unit;
+  if (const auto* rrp = std::get_if<Rrp<double>>(&dyad)) {
+    return tolerance * (rrp->length + reach.distance) / (rrp->length * rrp->length);
+  }
   if (std::holds_alternative<Rpr<double>>(dyad)) {
-    return tolerance * (tolerance + 2 * reach.least);
+    const double of_places = 2 * kChangePointTolerance * reach.extent;
+    return of_square_difference(reach.distance, reach.least, tolerance, of_places);
   }
   return kRounding * kRounding;
 }

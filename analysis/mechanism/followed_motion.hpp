@@ -87,13 +87,9 @@ class FollowedMotion {
     return nullptr;
   }
 
-  /// Moves the mechanism to `drive` with the assemblies that it has there: neither, at a dead point
-  /// that ends `run`, where the root of what rounding leaves would be half of the digits.
+  /// Moves the mechanism to `drive` with the assemblies that it has there.
   bool assemble(const AssemblyRange& run, double drive) {
-    const std::span<double> sides = motion_.sides();
-    sides_at(run, drive, sides);
-    if (run.from_dyad >= 0 && drive == run.from) sides[static_cast<std::size_t>(run.from_dyad)] = 0;
-    if (run.to_dyad >= 0 && drive == run.to) sides[static_cast<std::size_t>(run.to_dyad)] = 0;
+    sides_or_none_at(run, drive, motion_.sides());
     return motion_.move_to(drive);
   }
 

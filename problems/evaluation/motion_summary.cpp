@@ -163,6 +163,9 @@ class Summary {
     if (ratio && std::isfinite(*ratio)) summary_.time_ratio = ratio;
   }
 
+  /// Parts of the scale of the drive: change points closer than this to the start are at it.
+  static constexpr double kSameStart = 2e-7;
+
   /// The first assembly range. Where a crank begins within it and comes back a
   /// turn later in the same assemblies, the way in which it came back is a part of it too.
   AssemblyRange range_driven() const {
@@ -177,17 +180,37 @@ class Summary {
     const double shift = sense * kTurn, back = assembly_ranges_.start + shift;
     const AssemblyRange* again = assembly_ranges_.range_at(back);
     if (again == nullptr || again == &first) return first;
-    if (sides_at(*again, back) != sides_at(first, assembly_ranges_.start)) return first;
+    // Before a change point at the start itself, through which the motion goes on smoothly.
+    const double near = kSameStart * assembly_ranges_.scale;
+    const double before = assembly_ranges_.start - sense * near;
+    if (sides_at(*again, before + shift) != sides_at(first, before)) return first;
     AssemblyRange joined = first;
-    (sense > 0 ? joined.from : joined.to) = (sense > 0 ? again->from : again->to) - shift;
     (sense > 0 ? joined.from_dyad : joined.to_dyad) = sense > 0 ? again->from_dyad : again->to_dyad;
+    if (sense > 0) {
+      set_end(joined, joined.from, again->from - shift, 1);
+    } else {
+      set_end(joined, joined.to, again->to - shift, -1);
+    }
     for (Change change : again->changes) {
       change.drive -= shift;
-      const bool before_start = sense * (assembly_ranges_.start - change.drive) > 0;
-      if (before_start) joined.changes.push_back(change);
+      if (sense * (before - change.drive) > 0) joined.changes.push_back(change);
     }
     std::ranges::stable_sort(joined.changes, {}, &Change::drive);
     return joined;
+  }
+
+  /// Sets an end of `run`, which lies on the side `inwards` of it, to the dead point `place`, moved
+  /// by a turn: and on, where rounding took it out of what can be assembled, to where it can.
+  void set_end(AssemblyRange& run, double& end, double place, int inwards) const {
+    constexpr int kMostRoundings = 16;
+    constexpr double kRounding = kTurn * std::numeric_limits<double>::epsilon() / 4;
+    AssemblyRanges one = assembly_ranges_;
+    for (int i = 0; i < kMostRoundings; ++i) {
+      end = place + inwards * i * kRounding;
+      one.runs = {run};
+      if (FollowedMotion<0>(mechanism_, one).move_to(end)) return;
+    }
+    end = place;
   }
 
   /// The output's stroke or swing in the range driven and on the whole circuit; none where the
@@ -233,9 +256,10 @@ class Summary {
     if (!travel_.slides) return false;
     const AssemblyRange& run = driven_.runs.front();
     const double middle = std::midpoint(run.from, run.to), step = kNear * (run.to - run.from);
+    FollowedMotion<0> motion(mechanism_, driven_);
     const auto value = [&](double drive) {
-      motion_.move_to(drive);
-      return travelled<0>(travel_, motion_.bodies());
+      motion.move_to(drive);
+      return travelled<0>(travel_, motion.bodies());
     };
     const auto is_beyond = [&](double end, double near) {
       return std::abs(value(end) - value(middle)) > kFactor * std::abs(value(near) - value(middle));

@@ -269,7 +269,8 @@ void find_designs(const MotionProblem& problem, const Deadline& deadline, Result
   result.work.candidates = ranked.judged;
   result.work.positions = problem.poses.size() * result.designs.size();
   note_faults(problem, options, result);
-  note_count(problem, options, result);
+  const bool is_complete = !deadline.interrupted() && !deadline.expired();
+  if (is_complete) note_count(problem, options, result);
 }
 
 Result solve_exactly(const MotionProblem& problem, const Run& run) {

@@ -55,7 +55,8 @@ Found search(const Linkage& l, ForceQuantity quantity, int samples) {
   for (const auto& [from, to] : ranges(l)) {
     const bool turns = to - from >= kTurn - 1e-9;
     std::vector<double> places;
-    for (int i = 0; i <= samples; ++i) {
+    const int beyond = turns ? 1 : 0;  // so that what lies next to the start has two neighbours
+    for (int i = -beyond; i <= samples + beyond; ++i) {
       const double share = static_cast<double>(i) / samples;
       const double bent = 0.5 - 0.5 * std::cos(kPi * share);
       places.push_back(from + (to - from) * (turns ? share : bent));

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "analysis/numbers/constants.hpp"
 
@@ -88,6 +90,9 @@ bool tangent(const SixBar& c, const State& z, const State& before, State& along)
   return true;
 }
 
+/// A step of Newton's method after which the next would be rounding.
+constexpr double kSmallStep = 1e-11;
+
 /// The place on the curve that is `step` ahead of `z` along its tangent.
 bool advance(const SixBar& c, const State& z, const State& along, double step, State& next) {
   for (int i = 0; i < kCoordinates; ++i) next[i] = z[i] + step * along[i];
@@ -99,7 +104,7 @@ bool advance(const SixBar& c, const State& z, const State& along, double step, S
     State change{};
     if (!solve(rows, change)) return false;
     for (int i = 0; i < kCoordinates; ++i) next[i] += change[i];
-    if (dot(change, change) < 1e-28) return true;
+    if (dot(change, change) < kSmallStep * kSmallStep) return true;
   }
   return false;
 }
@@ -179,6 +184,7 @@ class Follower {
         if (along[0] * ahead[0] <= 0) return end_at(z, along, step, 0, 0, End::dead_point);
         if ((next[0] - bound) * sense >= 0) return end_at(z, along, step, 1, bound, End::drive);
       } else if (i > 4 && is_back(start, first, z, next, ahead, step)) {
+        note_extremes(z, along, ahead, step);
         net = next[4] - start[4];
         return End::circuit;
       }
@@ -261,33 +267,83 @@ class Follower {
   const SixBar& chain_;
 };
 
+/// The crank angle between two at which `holds` changes, to rounding.
+double edge(double inside, double outside, const std::function<bool(double)>& holds) {
+  for (int i = 0; i < 80; ++i) {
+    const double middle = std::midpoint(inside, outside);
+    (holds(middle) ? inside : outside) = middle;
+  }
+  return inside;
+}
+
+/// Crank angles from start to end in order: evenly, and crowded towards both ends of each arc on
+/// which the four-bar closes. The dyad's point is as fast as one likes there, and the whole may
+/// close within 1e-6 of a turn only.
+std::vector<double> places(const SixBar& chain, double start, double end) {
+  constexpr int kSamples = 20'000;
+  const auto closes = [&](double theta) {
+    const Point b = polar(chain.crank, theta);
+    const double far = std::hypot(b.x - chain.d[0], b.y - chain.d[1]);
+    return std::abs(chain.coupler - chain.rocker) <= far && far <= chain.coupler + chain.rocker;
+  };
+  std::vector<double> all;
+  const auto even = [&](int i) { return start + (end - start) * i / kSamples; };
+  for (int i = 0; i <= kSamples; ++i) {
+    const bool here = closes(even(i));
+    if (i > 0 && here != closes(even(i - 1))) {
+      const double inside = even(here ? i : i - 1), outside = even(here ? i - 1 : i);
+      const double last = edge(inside, outside, closes);
+      for (double part = 1; part > 1e-14; part *= 0.9) {
+        all.push_back(last + part * (inside - last));
+      }
+    }
+    all.push_back(even(i));
+  }
+  std::ranges::sort(all);
+  if (end < start) std::ranges::reverse(all);
+  return all;
+}
+
+/// The drive's angle at a dead point near `end`, at which the motion in `sense` ends: where the
+/// whole can no longer be assembled.
+double dead_point(const SixBar& chain, double end, int sense) {
+  const auto closes = [&](double theta) { return assemble(chain, theta).has_value(); };
+  for (double room = 1e-9; room < 1e-2; room *= 2) {
+    const double inside = end - sense * room, outside = end + sense * room;
+    if (closes(inside) && !closes(outside)) return edge(inside, outside, closes);
+  }
+  return end;
+}
+
 }  // namespace
 
 std::optional<SixBarTruth> truth_of(const SixBar& chain) {
-  constexpr int kSamples = 20'000;
   const double start = chain.start * kRadian, end = chain.end * kRadian;
-  std::optional<State> inside;
-  int first = 0;
-  for (; first <= kSamples && !inside; ++first) {
-    inside = assemble(chain, start + (end - start) * first / kSamples);
-  }
-  if (!inside) return std::nullopt;
+  const std::vector<double> all = places(chain, start, end);
+  const auto first =
+      std::ranges::find_if(all, [&](double theta) { return assemble(chain, theta).has_value(); });
+  if (first == all.end()) return std::nullopt;
+  const auto inside = assemble(chain, *first);
+  const bool from_start = first == all.begin();
   const int sense = end < start ? -1 : 1;
   SixBarTruth truth;
   Follower range(chain);
   using Until = Follower::Until;
   using End = Follower::End;
-  if (first > 1) {
+  const auto add_dead_point = [&](int towards) {
+    truth.dead_points.push_back(dead_point(chain, range.end_drive, towards) / kRadian);
+  };
+  if (!from_start) {
     if (range.follow(*inside, -sense, Until::dead_point, start) != End::dead_point)
       return std::nullopt;
-    truth.dead_points.push_back(range.end_drive / kRadian);
+    add_dead_point(-sense);
   }
   const End stop = range.follow(*inside, sense, Until::dead_point, end);
   if (stop == End::lost) return std::nullopt;
-  if (stop == End::dead_point) truth.dead_points.push_back(range.end_drive / kRadian);
+  if (stop == End::dead_point) add_dead_point(sense);
   const double unit = chain.slides ? 1 : 1 / kRadian;
   double least = range.least, greatest = range.greatest;
-  if (first == 1 && stop == End::dead_point && std::abs(end - start) >= kTurn * (1 - 1e-12)) {
+  if (from_start && stop == End::dead_point && std::abs(end - start) >= kTurn * (1 - 1e-12)) {
     // A turn later the start is passed again, on the way out of the other end of its range.
     Follower back(chain);
     if (back.follow(*inside, -sense, Until::dead_point, start - sense * kTurn) == End::lost) {

@@ -31,6 +31,11 @@ long double sum_gap(const SingleLoop& l) {
   }
 }
 
+/// Not above `length`: mechanisms with slides count gaps in parts of it.
+long double power_of_two(double length) {
+  return std::ldexp(1.0L, std::ilogb(length));
+}
+
 }  // namespace
 
 /// A relative distance from a tie: none, or 1e-3 … 1e-15 to either side.
@@ -48,12 +53,16 @@ void LoopCases::set_drive(SingleLoop& loop) {
 }
 
 /// Decides by the gap between sums whether they count as equal; false where the tolerance is so
-/// near that the last bit decides.
-bool LoopCases::settle(LoopCase& drawn, long double gap, long double longest) {
-  const long double parts = gap / (kEps * longest);
-  if (parts > 13 && parts < 19) return false;
+/// near that the last bit decides. `unit`: that of which the gap is a part.
+bool LoopCases::settle(LoopCase& drawn, long double gap, long double unit) {
+  const long double parts = gap / (kEps * unit);
+  // The places of a bar's block decide where it has no offset, and are rounded once more.
+  const bool is_bar =
+      drawn.loop.type == LoopType::guide_bar || drawn.loop.type == LoopType::oscillating_block;
+  if (parts > 13 && parts < (is_bar ? 36 : 19)) return false;
   if (parts >= 19) drawn.loop.tie = Tie::none;
   drawn.is_near_tie = true;
+  drawn.nearness = static_cast<double>(parts * kEps);
   return true;
 }
 
@@ -113,8 +122,9 @@ LoopCase LoopCases::slider_crank() {
   *lengths[one_of(3)] *= 1 + nearness();
   const long double gap = std::abs(static_cast<long double>(longer) - shorter -
                                    std::abs(static_cast<long double>(l.offset)));
-  const bool clear = l.offset != 0 || longer > shorter || gap < 13 * kEps * longer;
-  return clear && settle(drawn, gap, longer) ? drawn : slider_crank();
+  const long double unit = power_of_two(longer);
+  const bool clear = l.offset != 0 || longer > shorter || gap < 13 * kEps * unit;
+  return clear && settle(drawn, gap, unit) ? drawn : slider_crank();
 }
 
 LoopCase LoopCases::guide_bar() {
@@ -136,7 +146,7 @@ LoopCase LoopCases::guide_bar() {
   *lengths[one_of(3)] *= 1 + nearness();
   const long double gap = std::abs(std::abs(static_cast<long double>(longer) - shorter) -
                                    std::abs(static_cast<long double>(l.offset)));
-  return settle(drawn, gap, std::max(longer, shorter)) ? drawn : guide_bar();
+  return settle(drawn, gap, power_of_two(std::max(longer, shorter))) ? drawn : guide_bar();
 }
 
 LoopCase LoopCases::double_slider() {

@@ -12,6 +12,7 @@ namespace cognate::stress {
 struct LoopCase {
   SingleLoop loop;
   bool is_near_tie = false;
+  double nearness = 1;  ///< of sums that the tie makes equal: their gap by the longest length
 };
 
 /// Draws mechanisms of one loop: half of the four-bars, slider-cranks and guide-bars within a
@@ -35,7 +36,7 @@ class LoopCases {
   LoopCase slider_crank();
   LoopCase guide_bar();
   LoopCase double_slider();
-  bool settle(LoopCase& drawn, long double gap, long double longest);
+  bool settle(LoopCase& drawn, long double gap, long double unit);
 
   std::mt19937_64 random_;
 };

@@ -63,6 +63,10 @@ void RangeJudge::count(const std::string& name, bool agrees, const std::string& 
   }
 }
 
+std::optional<double> RangeJudge::number_said(const std::string& name) const {
+  return quantity<double>(name);
+}
+
 void RangeJudge::number(const std::string& name, std::optional<double> truth, double tolerance) {
   const auto said = quantity<double>(name);
   const auto text = [](std::optional<double> x) { return x ? fmt::format("{:.15g}", *x) : "none"; };

@@ -18,6 +18,8 @@ class RangeJudge {
   /// Whether the file was read.
   bool is_read() const { return problem_.has_value(); }
 
+  /// What the analysis says of it.
+  std::optional<double> number_said(const std::string& name) const;
   void number(const std::string& name, std::optional<double> truth, double tolerance);
   /// That the fact is the truth or beyond it, in the direction `sense`.
   void number_within(const std::string& name, double truth, double tolerance, int sense);

@@ -11,9 +11,12 @@ namespace {
 
 /// Degrees, or parts of the longest length.
 constexpr double kTolerance = 1e-7;
-/// Of a length or radians: next to a change point of a mechanism with slides, whose places come
+/// Of the lengths or radians: next to a change point of a mechanism with slides, whose places come
 /// from rounded coordinates, extremes go with the root of the rounding.
 constexpr double kOfRoots = 1e-6;
+/// Degrees: what the rounding of a crank angle makes of a swing next to a change point, times the
+/// distance from it, a part of the longest length.
+constexpr double kOfPlace = 2e-14;
 
 /// The same links with the coupler fixed: what was the rocker turns as the crank.
 SingleLoop on_coupler(const SingleLoop& l) {
@@ -67,6 +70,7 @@ class LoopCheck {
   LoopCheck(const LoopCase& drawn, RangeTally& tally)
       : loop_(drawn.loop),
         near_tie_(drawn.is_near_tie),
+        nearness_(drawn.nearness),
         truth_(truth_of(loop_, near_tie_)),
         tally_(tally),
         judge_(file_of(loop_), tally) {}
@@ -121,10 +125,24 @@ class LoopCheck {
     tally_.turn += is_full;
     tally_.come_round += !is_full && !slides && truth_.circuit == 360;
     const bool none = is_full || truth_.reaches_infinity;
+    const auto own = none ? std::nullopt : std::optional(truth_.stroke);
+    for (const auto& [name, truth] : {std::pair("output_" + what, own),
+                                      std::pair("circuit_" + what, none ? own : truth_.circuit)}) {
+      // Nearly a whole turn is one or the other by rounding.
+      const double full = slides ? 0 : truth.value_or(360);
+      const auto said = judge_.number_said(name);
+      const bool is_turn = full >= 360 - 1e-6 && said && *said >= 360 - 1e-6 - tolerance();
+      judge_.number(name, is_turn ? said : truth, tolerance());
+    }
+  }
+
+  /// Of a stroke or a swing.
+  double tolerance() const {
+    const double unit = loop_.slides() ? loop_.crank + loop_.coupler : 60;
+    if (nearness_ == 0 || !near_tie_) return kTolerance;
     const bool is_four_bar = loop_.type == LoopType::four_bar;
-    const double tolerance = near_tie_ && !is_four_bar ? kOfRoots * (slides ? 1 : 60) : kTolerance;
-    judge_.number("output_" + what, none ? std::nullopt : std::optional(truth_.stroke), tolerance);
-    judge_.number("circuit_" + what, none ? std::nullopt : truth_.circuit, tolerance);
+    if (!is_four_bar || loop_.tie != Tie::none) return kOfRoots * unit;
+    return kTolerance + kOfPlace / nearness_;
   }
 
   void check_transmission() {
@@ -144,6 +162,7 @@ class LoopCheck {
 
   const SingleLoop& loop_;
   bool near_tie_;
+  double nearness_;
   LoopTruth truth_;
   RangeTally& tally_;
   RangeJudge judge_;

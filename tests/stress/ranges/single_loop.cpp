@@ -50,13 +50,7 @@ class Follower {
     if (!truth.closes) return truth;
     for (const auto& part : parts) add_points(part, truth);
     Track track;
-    trace(parts.front(), loop_.side, track);
-    if (const auto way = way_back(parts, sense)) {
-      track.value = 0;
-      track.last.reset();
-      track.before.reset();
-      trace(*way, loop_.side, track);
-    }
+    trace(range_driven(parts, sense), loop_.side, track);
     truth.stroke = track.stroke(loop_.slides());
     truth.keeps_direction = track.keeps_direction;
     Track all;
@@ -112,7 +106,20 @@ class Follower {
     return a.quarter != b.quarter ? a.quarter < b.quarter : a.t < b.t;
   }
 
-  /// From `from` to `to` with all places between.
+  /// Places between an end and what is next to it, crowded towards the end, in the order from
+  /// there.
+  static std::vector<Place<Real>> crowded(const Place<Real>& end, const Place<Real>& inside) {
+    constexpr double kNearest = 1e-13;  // nearer to where links lie in line, rounding decides
+    std::vector<Place<Real>> places;
+    Real step = (inside.from_quarter(end.quarter).t - end.t) / 2;
+    for (; std::abs(static_cast<double>(step)) > kNearest; step /= 4) {
+      places.push_back({end.quarter, end.t + step});
+    }
+    std::reverse(places.begin(), places.end());
+    return places;
+  }
+
+  /// From `from` to `to` with all places between, crowded towards both.
   static std::vector<Place<Real>> path(const Place<Real>& from, const Place<Real>& to,
                                        double sense) {
     const Place<Real>& low = sense > 0 ? from : to;
@@ -125,6 +132,10 @@ class Follower {
       }
     }
     all.push_back(high);
+    const auto last = crowded(high, all[all.size() - 2]);
+    all.insert(all.end() - 1, last.rbegin(), last.rend());
+    const auto first = crowded(low, all[1]);
+    all.insert(all.begin() + 1, first.begin(), first.end());
     if (sense < 0) std::reverse(all.begin(), all.end());
     return all;
   }
@@ -173,42 +184,45 @@ class Follower {
   /// A dead end, with places crowded towards it.
   static void add_end(Part<Real>& part, const Place<Real>& end, const Place<Real>& inside,
                       bool first) {
-    std::vector<Place<Real>> places{end};
-    std::vector<Real> shares;
-    for (Real share = 0.5; share > 1e-13; share /= 4) shares.push_back(share);
-    std::reverse(shares.begin(), shares.end());
-    for (const Real& share : shares) {
-      const Place<Real> at{end.quarter, end.t + (inside.t - end.t) * share};
-      if (!(at == places.back()) && !(at == inside)) places.push_back(at);
-    }
+    std::vector<Place<Real>> places = crowded(end, inside);
+    places.insert(places.begin(), end);
     if (!first) std::reverse(places.begin(), places.end());
     part.places.insert(part.places.end(), places.begin(), places.end());
     (first ? part.starts_dead : part.ends_dead) = true;
   }
 
-  /// Of a drive that begins within a range: from there back to the other end of the range, which is
-  /// passed a turn later.
-  std::optional<Part<Real>> way_back(const std::vector<Part<Real>>& parts, double sense) const {
-    const bool is_whole = parts.size() == 1 && !parts.front().ends_dead;
-    if (is_whole || parts.front().starts_dead || std::abs(loop_.end - loop_.start) < 360) {
-      return std::nullopt;
-    }
-    const Place<Real> again = place(loop_.start + 360 * sense);
-    const auto is_passed = [&](const Place<Real>& at) {
-      return sense > 0 ? !is_before(again, at) : !is_before(at, again);
+  /// The first part. Where a drive begins within a range, and what passes the start a turn later
+  /// goes on there smoothly as it began, that is before it.
+  Part<Real> range_driven(const std::vector<Part<Real>>& parts, double sense) {
+    const Part<Real>& first = parts.front();
+    const bool is_whole = parts.size() == 1 && !first.ends_dead;
+    const bool comes_back = std::abs(loop_.end - loop_.start) >= 360 * (1 - 1e-12);
+    if (is_whole || first.starts_dead || !comes_back) return first;
+    const int turn = sense > 0 ? 4 : -4;
+    const Place<Real> again{first.places.front().quarter + turn, first.places.front().t};
+    const auto is_before_again = [&](const Place<Real>& at) {
+      constexpr double kRounding = 1e-12;  // of an end 360° after the start
+      if (at.quarter == again.quarter && std::abs(static_cast<double>(at.t - again.t)) < kRounding)
+        return false;
+      return sense > 0 ? is_before(at, again) : is_before(again, at);
     };
     for (std::size_t i = 1; i < parts.size(); ++i) {
       const auto& places = parts[i].places;
-      if (!is_passed(places.front()) || (is_passed(places.back()) && !(places.back() == again))) {
-        continue;
+      if (!is_before_again(places.front()) || is_before_again(places.back())) continue;
+      Part<Real> joined{{}, parts[i].starts_dead, first.ends_dead};
+      std::copy_if(places.begin(), places.end(), std::back_inserter(joined.places),
+                   is_before_again);
+      Part<Real> until_start = joined;
+      for (const Place<Real>& at : first.places) {
+        joined.places.push_back({at.quarter + turn, at.t});
       }
-      Part<Real> way;
-      std::copy_if(places.begin(), places.end(), std::back_inserter(way.places), is_passed);
-      if (!(way.places.back() == again)) way.places.push_back(again);
-      std::reverse(way.places.begin(), way.places.end());
-      return way;
+      constexpr std::size_t kBeyond = 4;
+      const auto beyond = std::min(until_start.places.size() + kBeyond, joined.places.size());
+      until_start.places.assign(joined.places.begin(), joined.places.begin() + beyond);
+      Track ignored;
+      return trace(until_start, loop_.side, ignored) == loop_.side ? joined : first;
     }
-    return std::nullopt;
+    return first;
   }
 
   double drive(const Place<Real>& at) const { return at.degrees() + frame_degrees(); }

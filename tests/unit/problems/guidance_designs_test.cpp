@@ -439,6 +439,7 @@ TEST(MotionGenerationTest, StopsInTime) {
   run.time_limit = 1e-9;
   const Result result = solve(problem(planted(random, 4).poses), run);
   EXPECT_EQ(result.status, Status::time_limit);
+  EXPECT_TRUE(result.notes.empty()) << result.notes.front();
 }
 
 }  // namespace
