@@ -9,8 +9,9 @@
 namespace cognate::stress {
 namespace {
 
-/// Degrees, or parts of the longest length.
-constexpr double kTolerance = 1e-7;
+/// Degrees, or parts of the longest length: next to dead points the brute force has half of its
+/// digits.
+constexpr double kTolerance = 2e-7;
 /// Of the lengths or radians: next to a change point of a mechanism with slides, whose places come
 /// from rounded coordinates, extremes go with the root of the rounding.
 constexpr double kOfRoots = 1e-6;
