@@ -16,22 +16,6 @@ namespace {
 constexpr double kQuarterTurn = 90;
 constexpr std::string_view kOutput = "output";
 
-bool is_all_given(const TopologyLine& line) {
-  const bool either = is_dyad(line.line.type) && !line.assembly;
-  const int count = parameter_count(line.line.type);
-  const bool all = line.given[0] && (count < 2 || line.given[1]);
-  return all && !either;
-}
-
-void check_something_is_found(TableReader& mechanism, const std::vector<Topology>& topologies) {
-  for (const Topology& topology : topologies) {
-    if (!std::ranges::all_of(topology.lines, is_all_given)) continue;
-    return mechanism.faults().add(mechanism.where(),
-                                  "the mechanism is given with all dimensions, so that nothing is "
-                                  "left to find; leave one out, or take kind = \"analysis\"");
-  }
-}
-
 }  // namespace
 
 std::vector<Topology> read_topologies(TableReader& document, LinkageTables& tables,
@@ -45,10 +29,7 @@ std::vector<Topology> read_topologies(TableReader& document, LinkageTables& tabl
   }
   if (!all.empty()) read_chain_bounds(tables.bounds, all);
   is_defined_here ? read_given(parts, all) : read_given_by_name(parts, all);
-  if (!all.empty()) {
-    tables.bounds.finish();
-    check_something_is_found(tables.mechanism, all);
-  }
+  if (!all.empty()) tables.bounds.finish();
   return all;
 }
 

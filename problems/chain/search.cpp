@@ -12,6 +12,7 @@
 #include "analysis/numbers/parallel.hpp"
 #include "analysis/numbers/random.hpp"
 #include "problems/chain/alignment.hpp"
+#include "problems/chain/chosen_targets.hpp"
 #include "problems/chain/draw.hpp"
 #include "problems/chain/refine.hpp"
 #include "synthesis/chain/chain_fit.hpp"
@@ -76,25 +77,18 @@ struct ChainRules {
 using Candidate = ChainRules::Candidate;
 
 /// What is fitted, of a target with many points of some alone.
-struct FitTargets {
+struct FitTargets : ChosenTargets {
   synthesis::ChainFit fit;
-  std::vector<std::size_t> chosen;  ///< which points
 
-  explicit FitTargets(const ScaledChain& problem) {
-    const std::size_t points = problem.points.size();
-    const std::size_t count = std::min(points, kMostFitted);
+  explicit FitTargets(const ScaledChain& problem) : ChosenTargets(problem, kMostFitted) {
     fit.chain = problem.chain;
     fit.trace = problem.topology->trace;
     fit.closed = problem.closed;
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t last = problem.closed ? points : points - 1;
-      const std::size_t steps = problem.closed ? count : count - 1;
-      const std::size_t which = i * last / steps;
-      chosen.push_back(which);
-      fit.x.push_back(problem.points[which].x);
-      fit.y.push_back(problem.points[which].y);
-      fit.root_weight.push_back(1 / std::sqrt(double(count)));
-      if (problem.timed()) fit.crank_angles.push_back(problem.crank_angles[which]);
+    for (const std::size_t chosen : which) {
+      fit.x.push_back(problem.points[chosen].x);
+      fit.y.push_back(problem.points[chosen].y);
+      fit.root_weight.push_back(1 / std::sqrt(double(which.size())));
+      if (problem.timed()) fit.crank_angles.push_back(problem.crank_angles[chosen]);
     }
     fit.free = problem.free;
     for (const int parameter : problem.free) {
@@ -104,22 +98,6 @@ struct FitTargets {
     fit.joints = problem.joints;
     fit.checks = problem.over_turn ? kTurnChecks : 0;
     fit.cosine_limit = problem.cosine_limit - (problem.over_turn ? kBetweenChecks : 0);
-  }
-
-  /// Angles at all points from those at the chosen ones.
-  std::vector<double> at_all(const ScaledChain& problem, const std::vector<double>& angles) const {
-    if (problem.timed() || chosen.size() == problem.points.size()) return angles;
-    std::vector<double> all;
-    const double turn = angles.back() > angles.front() ? kTurn : -kTurn;
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-      const bool last = i + 1 == chosen.size();
-      const std::size_t end = last ? problem.points.size() : chosen[i + 1];
-      const double from = angles[i], to = last ? angles.front() + turn : angles[i + 1];
-      for (std::size_t j = chosen[i]; j < end; ++j) {
-        all.push_back(from + (to - from) * double(j - chosen[i]) / double(end - chosen[i]));
-      }
-    }
-    return all;
   }
 };
 
@@ -224,8 +202,8 @@ class ChainExplorer {
     const double turned = problem_.is_anchored() ? 0 : angle_of(alignment.turn);
     std::vector<double> angles;
     if (problem_.timed()) return {alignment.angles[0] + turned};
-    for (const std::size_t which : targets_.chosen) {
-      angles.push_back(alignment.angles[which] + turned);
+    for (const std::size_t chosen : targets_.which) {
+      angles.push_back(alignment.angles[chosen] + turned);
     }
     return angles;
   }

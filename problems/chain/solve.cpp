@@ -8,6 +8,7 @@
 #include "analysis/numbers/parallel.hpp"
 #include "problems/basics/quantity_key.hpp"
 #include "problems/chain/found_designs.hpp"
+#include "problems/chain/given.hpp"
 #include "problems/chain/placed_starts.hpp"
 #include "problems/chain/problem.hpp"
 #include "problems/chain/raster/search.hpp"
@@ -192,9 +193,18 @@ Result find_robust_chains(const ChainPathProblem& problem, const std::vector<Sca
   return result;
 }
 
+/// The chain that the file gives.
+Result take_given(const ChainPathProblem& problem, const Deadline& deadline) {
+  Result result;
+  if (auto design = given_design(problem)) result.designs.push_back(*std::move(design));
+  result.status = status_of(result.designs, deadline);
+  return result;
+}
+
 /// The designs that the search finds, or those on the raster next to them.
 Result find_chains(const ChainPathProblem& problem, const std::vector<ScaledChain>& chains,
                    const Run& run, const Deadline& deadline) {
+  if (is_given(problem)) return take_given(problem, deadline);
   if (problem.solve.robust) return find_robust_chains(problem, chains, run, deadline);
   const TargetScale scale(problem.points);
   const ChainPathProblem searched = problem.is_movable ? without_sizes(problem) : problem;
@@ -224,16 +234,19 @@ Result solve(const ChainPathProblem& given, const Run& run) {
   std::vector<ScaledChain> chains;
   for (const Topology& topology : searched.topologies)
     chains.emplace_back(searched, topology, scale);
-  Result result = solve_in_layers(problem, run, DesignSource::search,
-                                  [&](const ChainPathProblem& one, const Run& own) {
-                                    return find_chains(one, chains, own, deadline);
-                                  });
+  const auto source = is_given(problem) ? DesignSource::exact : DesignSource::search;
+  Result result =
+      solve_in_layers(problem, run, source, [&](const ChainPathProblem& one, const Run& own) {
+        return find_chains(one, chains, own, deadline);
+      });
   note_unknowns(problem, chains, result);
   add_warnings(extent_of(problem.points), problem.warnings, result);
   if (result.designs.empty()) {
-    result.notes.push_back(
-        "No chain was found that closes at every target point; wider bounds or more starts may "
-        "help.");
+    result.notes.emplace_back(
+        is_given(problem)
+            ? "The chain given cannot be assembled at every target point; change its dimensions."
+            : "No chain was found that closes at every target point; wider bounds or more starts "
+              "may help.");
   }
   add_chain_tolerances(problem, run, result);
   result.work.threads = thread_count(run.threads);

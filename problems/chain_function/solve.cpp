@@ -7,6 +7,7 @@
 #include "analysis/numbers/parallel.hpp"
 #include "problems/chain/found_designs.hpp"
 #include "problems/chain/output/question.hpp"
+#include "problems/chain_function/given.hpp"
 #include "problems/chain_function/search.hpp"
 #include "problems/chain_function/verify.hpp"
 #include "problems/linkage/design_layers.hpp"
@@ -60,6 +61,11 @@ Result find_designs(const ChainFunctionProblem& problem, const FunctionSamples& 
                     const std::vector<ChainFunctionSpace>& spaces, const Run& run,
                     const Deadline& deadline) {
   Result result;
+  if (is_given(problem)) {
+    if (auto design = given_design(problem, wanted)) result.designs.push_back(*std::move(design));
+    result.status = status_of(result.designs, deadline);
+    return result;
+  }
   const auto found = search_chain_functions(spaces, problem.solve, run, deadline, result.work);
   result.quantities = quantities(found.statistics);
   result.designs = best_designs(problem, wanted, found.designs);
@@ -78,15 +84,18 @@ Result solve(const ChainFunctionProblem& given, const Run& run) {
   std::vector<ChainFunctionSpace> spaces;
   for (const Topology& topology : problem.topologies)
     spaces.emplace_back(problem, topology, wanted);
-  Result result = solve_in_layers(problem, run, DesignSource::search,
-                                  [&](const ChainFunctionProblem& one, const Run& own) {
-                                    return find_designs(one, wanted, spaces, own, deadline);
-                                  });
+  const auto source = is_given(problem) ? DesignSource::exact : DesignSource::search;
+  Result result =
+      solve_in_layers(problem, run, source, [&](const ChainFunctionProblem& one, const Run& own) {
+        return find_designs(one, wanted, spaces, own, deadline);
+      });
   add_warnings(std::nullopt, problem.warnings, result);
   if (result.designs.empty()) {
-    result.notes.push_back(
-        "No mechanism was found that is assembled over the motion within the limits; wider limits, "
-        "bounds of lengths and pivots, or more starts may help.");
+    result.notes.emplace_back(
+        is_given(problem)
+            ? "The mechanism given cannot generate the whole function; change its dimensions."
+            : "No mechanism was found that is assembled over the motion within the limits; wider "
+              "limits, bounds of lengths and pivots, or more starts may help.");
   }
   add_tolerances(
       problem.tolerances, problem.length_unit, run,

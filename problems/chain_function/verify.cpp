@@ -90,6 +90,11 @@ double ChainFunctionError::at(const AnglePair& pair) const {
   return guide_ ? error : std::remainder(error, kTurn);
 }
 
+TargetError function_error(const ChainFunctionProblem& problem, const FunctionSamples& wanted,
+                           const NamedMechanism& mechanism, double start) {
+  return errors_over(wanted, ChainFunctionError(problem, wanted, mechanism, start));
+}
+
 Design verified(const ChainFunctionProblem& problem, const FunctionSamples& wanted,
                 const Topology& topology, NamedMechanism mechanism, double start) {
   Design design;

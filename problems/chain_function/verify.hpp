@@ -40,6 +40,11 @@ class ChainFunctionError {
   double level_ = 0;                          ///< the output at the start
 };
 
+/// The errors of a mechanism whose crank starts at an angle, at the samples, the greatest also
+/// between them; infinite where the chain does not close.
+TargetError function_error(const ChainFunctionProblem& problem, const FunctionSamples& wanted,
+                           const NamedMechanism& mechanism, double start);
+
 /// `mechanism`, of the topology, its crank at `start` from the x axis at the start of the function,
 /// with its errors, the transmission angles of each joint over the motion limited, and checks.
 Design verified(const ChainFunctionProblem& problem, const FunctionSamples& wanted,

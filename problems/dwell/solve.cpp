@@ -9,6 +9,7 @@
 #include "problems/basics/degrees.hpp"
 #include "problems/chain/found_designs.hpp"
 #include "problems/chain/output/question.hpp"
+#include "problems/dwell/given.hpp"
 #include "problems/dwell/raster.hpp"
 #include "problems/dwell/search.hpp"
 #include "problems/dwell/verify.hpp"
@@ -64,9 +65,18 @@ void solve_dwells_on_raster(const DwellProblem& problem, const DwellSpace& space
   result.notes = raster_notes(best.search, measure);
 }
 
+/// The mechanism that the file gives.
+Result take_given(const DwellProblem& problem, const Deadline& deadline) {
+  Result result;
+  if (auto design = given_design(problem)) result.designs.push_back(*std::move(design));
+  result.status = status_of(result.designs, deadline);
+  return result;
+}
+
 /// The designs that the search finds, or those on the raster next to them.
 Result find_dwells(const DwellProblem& problem, const std::vector<DwellSpace>& spaces,
                    const Run& run, const Deadline& deadline) {
+  if (is_given(problem)) return take_given(problem, deadline);
   Result result;
   const DwellSearchResult found = search_dwells(
       spaces, problem.solve, problem.raster ? between_values(run) : run, deadline, result.work);
@@ -125,15 +135,18 @@ Result solve(const DwellProblem& given, const Run& run) {
   const Deadline deadline(run);
   std::vector<DwellSpace> spaces;
   for (const Topology& topology : problem.topologies) spaces.emplace_back(problem, topology);
-  Result result = solve_in_layers(problem, run, DesignSource::search,
-                                  [&](const DwellProblem& one, const Run& own) {
-                                    return find_dwells(one, spaces, own, deadline);
-                                  });
+  const auto source = is_given(problem) ? DesignSource::exact : DesignSource::search;
+  Result result =
+      solve_in_layers(problem, run, source, [&](const DwellProblem& one, const Run& own) {
+        return find_dwells(one, spaces, own, deadline);
+      });
   add_warnings(std::nullopt, problem.warnings, result);
   if (result.designs.empty() && !problem.raster) {
-    result.notes.push_back(
-        "No mechanism was found that is assembled over the whole turn within the limits; wider "
-        "limits or more starts may help.");
+    result.notes.emplace_back(
+        is_given(problem)
+            ? "The mechanism given is not assembled over the whole turn; change its dimensions."
+            : "No mechanism was found that is assembled over the whole turn within the limits; "
+              "wider limits or more starts may help.");
   }
   add_dwell_tolerances(problem, run, result);
   result.work.threads = thread_count(run.threads);

@@ -60,6 +60,9 @@ class Output {
     return range();
   }
 
+  /// Those of the last range.
+  const std::vector<double>& sampled() const { return output_; }
+
   /// The direction of the output; of a slider its displacement as x.
   Vec2d way_at(double crank) {
     if (!motion_.move_to(crank)) return {std::numeric_limits<double>::quiet_NaN(), 0};
@@ -191,6 +194,20 @@ Design verified(const DwellProblem& problem, const Topology& topology, NamedMech
   check_circuit(motion, design);
   design.mechanism = std::move(mechanism);
   return design;
+}
+
+std::vector<double> output_over_turn(const DwellProblem& problem, const NamedMechanism& mechanism,
+                                     int steps) {
+  Output output(problem, mechanism);
+  const OutputRange turn = output.over(0, kTurn, steps + 1, output.way_at(0));
+  return turn.known() ? output.sampled() : std::vector<double>{};
+}
+
+double half_band(const DwellProblem& problem, const NamedMechanism& mechanism, const Dwell& dwell,
+                 double start) {
+  Output output(problem, mechanism);
+  const Vec2d reference = output.way_at(start);
+  return output.over(start, start + dwell.over, kWindowSamples, reference).half_band();
 }
 
 }  // namespace cognate::problems

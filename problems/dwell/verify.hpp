@@ -15,4 +15,13 @@ namespace cognate::problems {
 Design verified(const DwellProblem& problem, const Topology& topology, NamedMechanism mechanism,
                 const std::vector<double>& starts);
 
+/// The output at equal steps of a turn and at its end, followed through whole turns, radians or a
+/// length; empty where the mechanism is not assembled at one of them.
+std::vector<double> output_over_turn(const DwellProblem& problem, const NamedMechanism& mechanism,
+                                     int steps);
+
+/// Half of the band of the output in `dwell` where that begins at the crank angle `start`.
+double half_band(const DwellProblem& problem, const NamedMechanism& mechanism, const Dwell& dwell,
+                 double start);
+
 }  // namespace cognate::problems

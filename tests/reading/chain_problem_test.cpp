@@ -141,10 +141,6 @@ const FaultCase kFaults[] = {
     {"WithoutInfluence",
      chain(kPivots + kCrank + kDyad + "[[pivot]]\nname = \"G\"\n"),
      {{16, 1, "\"G\" has no influence"}}},
-    {"AllGiven",
-     chain("[[pivot]]\nname = \"A\"\nat = [0, 0]\n[[pivot]]\nname = \"D\"\nat = [3, 0]\n" + kCrank +
-           "length = 1\n" + kDyad + "lengths = [3, 3]\nassembly = \"open\"\n"),
-     {{4, 1, "nothing is left to find"}}},
     {"UnknownName",
      file("[mechanism]\ntype = \"watt-1\"\n[[pivot]]\nname = \"G\"\nat = [0, 0]\n"),
      {{7, 8, "is no pivot of this mechanism.type"}}},
