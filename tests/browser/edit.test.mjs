@@ -149,12 +149,13 @@ test("the start angles of a function generator are dimensions too", () => visit(
   near(await value(page, "error.max"), before_ + (2 * Math.PI) / 180, 2 * before_, "largest error");
 }));
 
-test("what is no four-bar is not edited", () => visit("exact-motion", async (page) => {
+test("of poses four-bars alone are edited", () => visit("exact-motion", async (page) => {
   const toggle = page.locator(".edit-toggle", { hasText: "Edit" });
   assert.ok(await toggle.isEnabled());
   await page.locator("#design-1").check();
-  assert.ok(await toggle.isDisabled());
-  assert.match(await toggle.getAttribute("title"), /Only four-bars/);
+  assert.ok(await toggle.isHidden());
+  await page.locator("#design-0").check();
+  assert.ok(await toggle.isVisible());
 }));
 
 // The facts of the page's data, which are the program's, beside those of the kernel.

@@ -1,51 +1,30 @@
 // Editing cams, gears, trains and machines in their reports: everything that an edited page says and draws is what the program's own
 // report of the copied file says and draws. COGNATE: the program.
 import assert from "node:assert/strict";
-import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { launch, open, some } from "./browser.mjs";
+import { reported as reportedIn, sameTold, textsOf } from "./told.mjs";
 
 const LIBRARY = new URL("../../problems/library/", import.meta.url).pathname;
 let browser, folder;
 before(async () => { browser = await launch(); folder = fs.mkdtempSync(path.join(os.tmpdir(), "cognate-numbers-")); });
 after(() => { fs.rmSync(folder, { recursive: true }); return browser?.close(); });
 
-// The report of a file's text, by the program. A design that misses a limit is an answer too.
-function reported(name, text, command = "solve") {
-  const file = path.join(folder, `${name}.toml`);
-  fs.writeFileSync(file, text);
-  const { stderr } = spawnSync(process.env.COGNATE, [command, "--quiet", "--out", folder, file], { encoding: "utf8" });
-  assert.equal(stderr, "");
-  return path.join(folder, `${name}.report.html`);
-}
+const reported = (...text) => reportedIn(folder, ...text);
 
 const commandOf = (text) => (/^kind = "(gear|machine)"$/m.test(text) ? "analyze" : "solve");
 
 // Of extremes that come twice either place may be named.
 // What a page says in its cards and tables, and the numbers of its picture. What is of the original is not looked at.
 const CARDS = ["dimensions", "facts", "members", "segments", "constraints", "table", "notes", "section", "curves", "tasks", "problem"];
-const told = (page) => page.evaluate((ids) => ({
-  ...Object.fromEntries(ids.map((id) => [id, document.getElementById(id)]).filter(([, card]) => card && !card.hidden).map(([id, card]) => {
-    const texts = document.createTreeWalker(card, NodeFilter.SHOW_TEXT, (node) => (node.parentElement.closest("[hidden], #table td.wide, .more") ? NodeFilter.FILTER_REJECT : NodeFilter.FILTER_ACCEPT));
-    const all = [];
-    while (texts.nextNode()) all.push(texts.currentNode.data.trim());
-    return [id, all.filter(Boolean).join(" ")];
-  })),
+const told = async (page) => ({ ...await textsOf(page, CARDS), ...await page.evaluate(() => ({
   file: document.getElementById("problem-file").textContent,
   picture: [...document.querySelectorAll("#picture > svg path:not(.edit-ghost), #picture > svg circle, #picture > svg text")].map((part) => part.getAttribute("d") ?? part.getAttribute("r") ?? part.textContent).join(" "),
   ink: [...document.querySelectorAll("#plots canvas")].map((canvas) => canvas.toDataURL().length > 2000).join(" "),
-}), CARDS);
-
-// Words are the same, and numbers to what is left by rounding twice: pages of the program have seven digits.
-const PARTS = /-?\d+(?:\.\d+)?/g;
-function sameTold(shown, wanted, what) {
-  assert.equal(shown.replace(PARTS, "#"), wanted.replace(PARTS, "#"), `${what}: words`);
-  const [numbers, others] = [shown.match(PARTS) ?? [], wanted.match(PARTS) ?? []].map((list) => list.map(Number));
-  numbers.forEach((x, i) => assert.ok(Math.abs(x - others[i]) <= 0.11 || Math.abs(x - others[i]) <= 2e-5 * Math.abs(others[i]), `${what}: ${x} and ${others[i]}`));
-}
+})) });
 
 // `unlike`: what two pages need not have alike.
 async function edited(name, text, fields, unlike = []) {

@@ -23,6 +23,7 @@ struct Kind<problems::ChainPathProblem> : LinkageKind<problems::ChainPathProblem
   }
   static nlohmann::ordered_json reached_json(const problems::ChainPathProblem& problem,
                                              const problems::Design& design);
+  static bool edits(const problems::ChainPathProblem& problem) { return !problem.raster; }
 };
 
 }  // namespace cognate::app

@@ -21,6 +21,7 @@ struct Kind<problems::DwellProblem> : LinkageKind<problems::DwellProblem> {
   static problems::MetricNames metric_names(const problems::DwellProblem& base) {
     return chain_metric_names(base.topologies);
   }
+  static bool edits(const problems::DwellProblem& problem) { return !problem.raster; }
 };
 
 }  // namespace cognate::app

@@ -57,10 +57,10 @@ MetricNames chain_metric_names(std::span<const problems::Topology> topologies) {
   return names;
 }
 
-std::string linkage_page(bool toleranced, const problems::Result& result) {
+std::string linkage_page(bool moves, const problems::Result& result) {
   const auto is_four_bar = [](const auto& design) { return bool(design.mechanism.four_bar()); };
-  const bool moves = toleranced && !std::ranges::all_of(result.designs, is_four_bar);
-  return moves ? design_page() : without_kernel(design_page(), "mechanism-kernel");
+  const bool needed = moves && !std::ranges::all_of(result.designs, is_four_bar);
+  return needed ? design_page() : without_kernel(design_page(), "mechanism-kernel");
 }
 
 void add_size(nlohmann::ordered_json& metrics, const problems::NamedMechanism& mechanism) {

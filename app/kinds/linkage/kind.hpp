@@ -29,9 +29,9 @@ void add_size(nlohmann::ordered_json& metrics, const problems::NamedMechanism& m
 void add_bills(const problems::Result& result, const problems::LayerSizes& sizes,
                nlohmann::ordered_json& data);
 
-/// The page of designs. With the kernel of analyses, where one that is no four-bar has tolerances
-/// within which the page moves it.
-std::string linkage_page(bool toleranced, const problems::Result& result);
+/// The page of designs. With the kernel of mechanisms, where one that is no four-bar is moved by the
+/// page.
+std::string linkage_page(bool moves, const problems::Result& result);
 
 /// Why `cognate analyze` takes no problem of these kinds.
 inline constexpr const char* kDesignsLinkage =
@@ -87,8 +87,13 @@ struct LinkageKind : KindBase<Problem, problems::Result> {
   }
 
   static std::string page(const Problem& problem, const Result& result) {
-    return linkage_page(problem.tolerances.has_value(), result);
+    const bool moves = problem.tolerances.has_value() || Kind<Problem>::edits(problem);
+    return linkage_page(moves, result);
   }
+
+  /// Whether the page edits designs that are no four-bars: the kernel of pages evaluates those of
+  /// which all dimensions are given.
+  static bool edits(const Problem& /*problem*/) { return false; }
 
   static Json report_data(const Problem& problem, const Result& result) {
     Json data = app::report_data(result, Kind<Problem>::target_json(problem),

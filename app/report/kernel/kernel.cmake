@@ -1,11 +1,13 @@
 # The analysis kernel for the report pages: the same sources, compiled to WebAssembly by Clang,
 # compressed, and written as base64 text that the pages inline: COGNATE_PAGE_KERNEL for four-bars,
 # COGNATE_ANALYSIS_KERNEL for whole analyses, which reads and evaluates a problem as the program
-# does; COGNATE_CAM_KERNEL, COGNATE_GEAR_KERNEL, COGNATE_TRAIN_KERNEL and COGNATE_MACHINE_KERNEL do
-# so for cams, gears, gear trains and machines; COGNATE_SKETCH_KERNEL to search for paths. Without
-# the toolchain they are empty: pages offer no editing, and that one draws on no linkages.
+# does, COGNATE_DESIGN_KERNEL also for designs that are no four-bars; COGNATE_CAM_KERNEL,
+# COGNATE_GEAR_KERNEL, COGNATE_TRAIN_KERNEL and COGNATE_MACHINE_KERNEL do so for cams, gears, gear
+# trains and machines; COGNATE_SKETCH_KERNEL to search for paths. Without the toolchain they are
+# empty: pages offer no editing, and that one draws on no linkages.
 set(COGNATE_PAGE_KERNEL "")
 set(COGNATE_ANALYSIS_KERNEL "")
+set(COGNATE_DESIGN_KERNEL "")
 set(COGNATE_CAM_KERNEL "")
 set(COGNATE_GEAR_KERNEL "")
 set(COGNATE_MACHINE_KERNEL "")
@@ -194,8 +196,8 @@ set(mechanism_evaluator
   problems/mechanism/read_simple_mechanism.cpp
   problems/mechanism/read_slides.cpp
   problems/mechanism/read_whole_mechanism.cpp)
-set(COGNATE_ANALYSIS_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/analysis_kernel.base64")
-cognate_page_kernel(analysis_kernel ${problem_reader} ${mechanism_evaluator}
+# What evaluates a whole analysis.
+set(analysis_evaluator
   analysis/cam/extremes.cpp
   analysis/cam/subdivision.cpp
   analysis/coupler_curve/circuit_samples.cpp
@@ -247,8 +249,11 @@ cognate_page_kernel(analysis_kernel ${problem_reader} ${mechanism_evaluator}
   problems/evaluation/sweep.cpp
   problems/evaluation/type_quantities.cpp
   problems/evaluation/whole_motion.cpp)
+set(COGNATE_ANALYSIS_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/analysis_kernel.base64")
+cognate_page_kernel(analysis_kernel ${problem_reader} ${mechanism_evaluator} ${analysis_evaluator})
 
 include("${CMAKE_CURRENT_LIST_DIR}/cams.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/designs.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/gears.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/machines.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/trains.cmake")

@@ -13,11 +13,18 @@ import { backdropOf, GuidedAxes, targetsOf } from "./backdrop.js";
 export class DesignMechanismScene extends MechanismScene {
   constructor(frame, design, onDrag) {
     super(frame, design.mechanism, onDrag, NO_TABLE, design.angular ? 1 / RADIANS : 1);
+    this.#take(design);
+  }
+
+  #take(design) {
     this.design = design;
     this.jointsAt = jointsOf(design.mechanism, design.entry.mechanism);
   }
 
+  // The design, or one that is edited in its place.
   build(design, options) {
+    this.#take(design);
+    this.adopt(design.mechanism);
     this.box = design.boxes[options.framing];
     super.build();
     this.layers.backdrop.append(...backdropOf(this.view, design, options));

@@ -30,7 +30,7 @@ import { Lens } from "./lens.js";
 import { MechanismDesign } from "./mechanism_design.js";
 import { Design, fittingMagnification, MAGNIFICATIONS, turnInto } from "./model.js";
 import { DesignTable, isFourBar } from "./table.js";
-import { Editor } from "../edit/editor.js";
+import { DesignEditors } from "../edit/design_editors.js";
 import { BillCard } from "../workshop/bill.js";
 import { LayersCard } from "../workshop/layers.js";
 import { ToleranceCard } from "../tolerance/card.js";
@@ -222,7 +222,7 @@ const extras = new Extras(byId("extras"), [toleranceLayer, ...(pinned ? [pinned]
   ...Object.keys(GHOSTS).map((ghost) => new Ghost(ghost, notes))]);
 extras.redraw = () => drawScene();
 extras.onToggle = () => setMagnification(state.magnify);
-const editor = Kernel.available && designs.length ? new Editor({ problem: result.problem, target: data.target, crank: () => state.crank, settle: redrawDesign, follow,
+const editor = Kernel.available && designs.length ? new DesignEditors({ problem: result.problem, target: data.target, crank: () => state.crank, settle: redrawDesign, follow,
   redraw: (crank) => redrawAt(crank ?? state.crank) }) : null;
 let table = null;
 let families = null;

@@ -2,13 +2,13 @@
 // is dragged the motion follows; once it is let go everything on the page does.
 
 import { byId, element } from "../dom.js";
-import { factName, factParts, factText } from "../fact_text.js";
 import { Mechanism } from "../mechanism.js";
 import { tableWithoutRounding } from "../rounding.js";
 import { RADIANS } from "../sampling.js";
 import { say } from "../words.js";
 import { AnalysisKernel } from "./analysis_kernel.js";
 import { brokenText } from "./broken.js";
+import { factRowsOf } from "./fact_rows.js";
 import { History } from "./history.js";
 import { EditOverlay } from "./overlay.js";
 import { EditPanel } from "./panel.js";
@@ -139,14 +139,3 @@ export class AnalysisEditor {
 }
 
 const brokenMechanism = (table) => (table.type === "four-bar" ? brokenText(table) : say("edit.nowhere"));
-
-// The facts before and now, in the order of what there is now.
-function factRowsOf(before, now) {
-  const cell = (name, facts) => {
-    const { value = null } = facts.find((fact) => fact.name === name) ?? {};
-    return { value, text: factText(value, factParts(name).unit) };
-  };
-  return now.map(({ name }) => ({ key: name, label: factLabel(name), before: cell(name, before), now: cell(name, now) }));
-}
-
-const factLabel = (name) => { const { key, where } = factParts(name); return where ? say("edit.place_of", { name: factName(key) }) : factName(key); };

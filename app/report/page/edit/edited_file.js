@@ -6,7 +6,7 @@ import { problemToml } from "../toml.js";
 import { say } from "../words.js";
 import { lengthOf, minus } from "./four_bar.js";
 
-const remark = (text) => `# ${text.replaceAll("\n", "\n# ")}\n`;
+export const remark = (text) => `# ${text.replaceAll("\n", "\n# ")}\n`;
 
 // The mechanism's table of a problem with all of a four-bar given; nothing for kinds that take none so.
 function givenMechanism({ kind, mechanism: asked = {} }, m, starts) {

@@ -1,7 +1,7 @@
 // Editing a four-bar design: every change is evaluated by the kernel, and shown in place of the
 // design as it was found.
 
-import { byId, element } from "../dom.js";
+import { byId } from "../dom.js";
 import { Kernel } from "../kernel.js";
 import { RADIANS } from "../sampling.js";
 import { say } from "../words.js";
@@ -13,7 +13,6 @@ import { measureOf } from "./errors.js";
 import { FOUR_BAR_JOINTS, fourBarFields } from "./four_bar.js";
 import { checkOf } from "./checks.js";
 import { History } from "./history.js";
-import { markOriginal } from "../original.js";
 import { EditOverlay } from "./overlay.js";
 import { EditPanel } from "./panel.js";
 import { checkRow, editRows } from "./rows.js";
@@ -21,29 +20,16 @@ import { checkRow, editRows } from "./rows.js";
 const EDIT_SAMPLES = 241;
 
 export class Editor {
-  // `page`: problem, target, limits, crank() in degrees, redraw(crank) of the picture, follow(design) of what is
-  // said of it, and settle() of what is drawn once a change is done.
-  constructor(page) {
-    this.page = page;
-    this.toggle = element("button", { type: "button", class: "edit-toggle", "aria-pressed": "false", title: say("edit.toggle.title") }, say("edit.toggle"));
-    this.toggle.addEventListener("click", () => (this.open ? this.close() : this.begin()));
-    document.querySelector("#stage .card-head").append(this.toggle);
-  }
+  // `page` as of DesignEditors; `found`: the design, `drawn` what the data of the page has of it.
+  constructor(page, found, drawn) { Object.assign(this, { page, found, drawn }); }
+
+  static edits(problem, { assembles, entry: { mechanism } }) { return assembles && mechanism.type === "four-bar"; }
 
   get open() { return this.panel !== undefined; }
 
-  // Turns to another design; one that is edited is left as it was found.
-  choose(design, drawn) {
-    if (this.open) this.close(false);
-    Object.assign(this, { found: design, drawn });
-    const editable = design.entry.mechanism.type === "four-bar" && design.assembles;
-    this.toggle.disabled = !editable;
-    this.toggle.title = say(editable ? "edit.toggle.title" : "edit.not_here");
-  }
+  async load() { Editor.kernel ??= await Kernel.load(); }
 
-  async begin() {
-    Editor.kernel ??= await Kernel.load();
-    if (this.open) return;
+  begin() {
     const { entry } = this.found;
     const { input_start_deg: input, output_start_deg: output } = entry.metrics;
     const first = withoutNoise({ mechanism: entry.mechanism, starts: input === undefined ? null : { input_deg: input, output_deg: output } });
@@ -55,25 +41,14 @@ export class Editor {
     const joints = Object.keys(FOUR_BAR_JOINTS).filter((name) => name !== "P" || entry.mechanism.coupler_point);
     this.overlay = new EditOverlay(byId("picture"), joints, { begin: () => this.#take(), drag: (name, to) => this.#drag(name, to), end: () => this.#letGo() });
     document.querySelector(".side").prepend(this.panel.root);
-    this.#press(true);
     this.#show(this.before);
     this.page.settle();
   }
 
-  close(redraw = true) {
+  close() {
     this.panel.root.remove();
     this.overlay.remove();
     Object.assign(this, { panel: undefined, overlay: undefined, shown: undefined });
-    this.#press(false);
-    if (!redraw) return;
-    this.page.follow(this.found);
-    this.page.settle();
-  }
-
-  #press(on) {
-    this.toggle.setAttribute("aria-pressed", String(on));
-    byId("main").classList.toggle("editing", on);
-    markOriginal(["choice", "notes", "families", "findings", "work", "tolerances", "layers", "bill", "front", "raster"], on);
   }
 
   // What the kernel says of a state; null where its links cannot be assembled.

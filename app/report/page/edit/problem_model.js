@@ -31,8 +31,12 @@ function numbersIn(value, path, words, scope) {
     return value.flatMap((part, i) => numbersIn(part, [...path, i], partWords(value, i, path, words), scope));
   }
   if (value === null || typeof value !== "object") return [];
+  if (value.names && value.lengths) return [...linkLengths(value, path, scope), ...numbersIn({ ...value, lengths: null }, path, words, scope)];
   return Object.entries(value).filter(([key]) => !KEPT.test(key)).flatMap(([key, part]) => numbersIn(part, [...path, key], key === "at" ? words : [...words, keyName(key, scope)], scope));
 }
+
+// The lengths of the links of a dyad, by their names.
+const linkLengths = ({ names, lengths }, path, scope) => lengths.flatMap((length, i) => numbersIn(length, [...path, "lengths", i], [names[i], keyName("length", scope)], scope));
 
 // Entry `i` of a list in words: a table by what it names, a coordinate by its axis.
 function partWords(list, i, path, words) {
@@ -80,11 +84,34 @@ function pointJoints({ point = [] }) {
   return Object.fromEntries(point.flatMap(({ name, on }, i) => (typeof on === "string" ? [[name, { on, drag: (m, at, to, place) => withPart(m, ["point", i, "at"], inPlace(place, to)) }]] : [])));
 }
 
-// Of a chain the fixed pivots and the pin of the crank.
-function chainJoints({ pivot = [], crank }) {
+// Of a chain the fixed pivots, the pins of the crank and of its dyads, and the points of its links.
+function chainJoints({ pivot = [], crank, dyad = [], point = [] }) {
   const joints = Object.fromEntries(pivot.map(({ name }, i) => [name, { drag: (m, at, to) => withPart(m, ["pivot", i, "at"], to) }]));
   if (typeof crank?.length === "number") joints[crank.pin] = { turns: true, about: crank.at, drag: (m, at, to) => withPart(m, ["crank", "length"], lengthOf(minus(to, at[crank.at]))) };
+  dyad.forEach((part, i) => {
+    const follow = isLinkPair(part) ? linksTo : isLinkAndSlider(part) ? sliderTo : null;
+    if (follow) joints[part.new] = { drag: (m, at, to) => withPart(m, ["dyad", i], { ...m.dyad[i], ...follow(m.dyad[i], at, to) }) };
+  });
+  point.forEach(({ name, on }, i) => {
+    if (areNames(on, 2)) joints[name] = { drag: (m, at, to) => withPart(m, ["point", i, "at"], inFrame(at[on[0]], at[on[1]], to)) };
+  });
   return joints;
+}
+
+const areNames = (list, count) => Array.isArray(list) && list.length === count && list.every((name) => typeof name === "string");
+const isLinkPair = ({ type = "RRR", joins, lengths = [], new: made }) => type === "RRR" && areNames(joins, 2) && lengths.length === 2 && made !== undefined;
+const isLinkAndSlider = ({ type, joins, slide, new: made }) => type === "RRP" && areNames(joins, 1) && typeof slide?.through === "string" && (slide.on ?? "frame") === "frame" && made !== undefined;
+
+// Two links whose common pin is taken `to`.
+function linksTo({ joins: [p, q] }, at, to) {
+  return { lengths: [p, q].map((name) => lengthOf(minus(to, at[name]))), assembly: crossOf(minus(at[q], at[p]), minus(to, at[p])) > 0 ? "open" : "crossed" };
+}
+
+// A link and the slider on whose pin it is.
+function sliderTo({ joins: [p], slide }, at, to) {
+  const [x, y] = alongOf(slide);
+  const [u, v] = minus(to, at[p]);
+  return { lengths: [Math.hypot(u, v)], slide: { ...slide, offset: crossOf([x, y], minus(to, at[slide.through])) }, assembly: u * x + v * y < 0 ? "crossed" : "open" };
 }
 
 const alongOf = ({ direction_deg: deg }) => [Math.cos(deg * RADIANS), Math.sin(deg * RADIANS)];

@@ -26,8 +26,11 @@ export function editRows(before, now) {
     row("time_ratio", ({ facts }) => facts.timeRatio, (ratio) => fixed(ratio, 4)),
     row("swing", ({ motion: { rocker_deg: list } }) => Math.max(...list) - Math.min(...list), (deg) => degrees(deg, 2)),
     ...changedErrors(before, now),
-    row("defects", ({ facts }) => facts.defects, (list) => list.map(term).join(say("list.comma")) || say("edit.none"))];
+    defectsRow(before, now, ({ facts }) => facts.defects)];
 }
+
+// The row of the defects that `defectsOf` takes from each of the two.
+export const defectsRow = (before, now, defectsOf) => editRow("defects", [before, now], defectsOf, (list) => list.map(term).join(say("list.comma")) || say("edit.none"));
 
 // None where the problem has no targets.
 function changedErrors(before, now) {
