@@ -155,6 +155,21 @@ ExitStatus run_analyze(const CLI::App& command, const Arguments& arguments,
   });
 }
 
+ExitStatus run_check(const CLI::App& command, const Arguments& arguments, const Options& options) {
+  constexpr int kSample = 200;
+  int sample = kSample;
+  const bool given = command.get_option("--sample")->count() > 0;
+  if (given && !take(parse_sample(arguments.sample), sample)) return exit_bad_input;
+  if (given && !arguments.certificate) {
+    complain("--sample: is of certificates; add --certificate and NAME.result.json");
+    return exit_bad_input;
+  }
+  return run_each(arguments.files, options, false, [&](const std::string& file) {
+    return arguments.certificate ? check_certificate_command(file, sample, options)
+                                 : check_command(file, options);
+  });
+}
+
 ExitStatus run_watch(const std::string& name, const Arguments& arguments, const Options& options) {
   const std::string& file = arguments.files.front();
   const bool is_result = name == "analyze" && file.ends_with(".json");
@@ -204,10 +219,7 @@ ExitStatus run_command(const CommandLine& line, StudyProcesses& processes) {
   if (name == "involute") {
     return involute_command(arguments.values, {arguments.inverse, arguments.csv}, *options);
   }
-  if (name == "check") {
-    return run_each(arguments.files, *options, false,
-                    [&](const std::string& file) { return check_command(file, *options); });
-  }
+  if (name == "check") return run_check(called, arguments, *options);
   return list_command(arguments.kind, arguments.metrics, *options);
 }
 

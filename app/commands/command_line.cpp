@@ -137,6 +137,16 @@ void CommandLine::add_studio() {
   add_length_unit(studio, arguments);
 }
 
+void CommandLine::add_check() {
+  auto& check = add_files_command("check", "Validate a file; check a certificate.", kCheckFooter,
+                                  "problems or studies, TOML files; with --certificate results",
+                                  {".toml", ".result.json"});
+  check.add_flag("--certificate", arguments.certificate,
+                 "of results: check the proof of the best design again");
+  check.add_option("--sample", arguments.sample, "how many boxes of the proof (default 200)")
+      ->type_name("N");
+}
+
 /// Those that packagers call and a user once.
 void CommandLine::add_hidden_commands() {
   auto& completion = *app.add_subcommand("completion", "Print a script that completes commands.");
@@ -196,8 +206,7 @@ CommandLine::CommandLine() : app(kDescription, "cognate") {
   involute.add_option("VALUE", arguments.values, "angles in degrees, or ranges FROM:TO:STEP");
   involute.add_flag("--inverse", arguments.inverse, "angles of these values of the involute");
   involute.add_flag("--csv", arguments.csv, "as CSV, every digit");
-  add_files_command("check", "Validate a file without solving it.", kCheckFooter,
-                    "problems or studies, TOML files", {".toml"});
+  add_check();
   auto& list = add_command("list", "Say what can be requested, and by which keys.", kListFooter);
   list.add_option("KIND", arguments.kind, "of this kind of problem alone");
   for (const char* command : {"new", "list"}) words[command] = kind_names();

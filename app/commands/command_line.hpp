@@ -20,12 +20,14 @@ struct Arguments {
   std::string shell;                ///< of `completion`
   std::string seed, threads, time_limit, out, steps, length_unit;
   std::string row;   ///< of a study, for `export`
-  std::string port;  ///< of `studio`
+  std::string port;    ///< of `studio`
+  std::string sample;  ///< of `check`, of a certificate
   ExportTexts exporting;
   bool json = false;
   bool quiet = false;
   bool metrics = false;
   bool inverse = false, csv = false;  ///< of `involute`
+  bool certificate = false;           ///< of `check`
   bool watch = false;                 ///< of the commands that compute
   bool no_open = false;               ///< of `studio`
 };
@@ -49,6 +51,7 @@ struct CommandLine {
   CLI::App& add_files_command(const char* name, const char* purpose, const char* footer,
                               const char* file, std::vector<std::string> read);
   void add_studio();
+  void add_check();
   void add_hidden_commands();
 };
 

@@ -66,6 +66,13 @@ ExitStatus export_command(const std::filesystem::path& file, const ExportOptions
 /// `--json` as a document `cognate-check/1`.
 ExitStatus check_command(const std::filesystem::path& file, const Options& options);
 
+/// Checks the certificate of the result document in `file` again: makes the boxes of its proof
+/// anew, looks at `sample` of them by other code and in 113 bits, and says what came of it (with
+/// `--json` as a document `cognate-check/1`). The status is that of no design where a box is refuted
+/// or not confirmed, or the boxes do not cover the domain.
+ExitStatus check_certificate_command(const std::filesystem::path& file, int sample,
+                                     const Options& options);
+
 /// Writes KIND.toml, a commented problem to start from, to the folder `--out`, else to the current
 /// one, and says so (with `--json` as a document `cognate-new/1`, with `--quiet` not at all). A
 /// file of that name is left as it is, and the status is that of bad input.

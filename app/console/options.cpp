@@ -36,6 +36,13 @@ tl::expected<int, std::string> parse_steps(std::string_view text) {
   return refusal("--steps", text, fmt::format("a whole number from 1 to {}", kMostSteps));
 }
 
+tl::expected<int, std::string> parse_sample(std::string_view text) {
+  constexpr int kMostBoxes = 1'000'000;
+  const auto boxes = parse_all<int>(text);
+  if (boxes && *boxes >= 1 && *boxes <= kMostBoxes) return *boxes;
+  return refusal("--sample", text, fmt::format("a whole number from 1 to {}", kMostBoxes));
+}
+
 tl::expected<double, std::string> parse_time_limit(std::string_view text) {
   const auto seconds = parse_all<double>(text);
   if (!seconds || !(*seconds > 0 && *seconds <= kLongestTime)) {

@@ -38,6 +38,9 @@ tl::expected<double, std::string> parse_time_limit(std::string_view text);
 /// A whole number from 1 to 100 000.
 tl::expected<int, std::string> parse_steps(std::string_view text);
 
+/// A whole number from 1 to 1 000 000.
+tl::expected<int, std::string> parse_sample(std::string_view text);
+
 /// One of the words of `length_unit`.
 tl::expected<problems::LengthUnit, std::string> parse_length_unit(std::string_view text);
 

@@ -89,6 +89,15 @@ tl::expected<ordered_json, std::string> parse_json(std::string_view text, const 
   }
 }
 
+tl::expected<ordered_json, std::string> parse_result(std::string_view text,
+                                                     const std::string& name) {
+  auto document = parse_json(text, name);
+  if (!document || text_under(*document, "format") == "cognate-result/1") return document;
+  return refusal(name,
+                 "this is no result of Cognate; expected a document with \"format\": "
+                 "\"cognate-result/1\"");
+}
+
 }  // namespace
 
 std::string stem_of_result(const std::filesystem::path& file) {
@@ -104,13 +113,8 @@ std::string text_under(const ordered_json& table, const char* key) {
 
 tl::expected<ResultDesign, std::string> parse_result_design(std::string_view text, int design,
                                                             const std::string& name) {
-  auto document = parse_json(text, name);
+  auto document = parse_result(text, name);
   if (!document) return tl::unexpected(document.error());
-  if (text_under(*document, "format") != "cognate-result/1") {
-    return refusal(name,
-                   "this is no result of Cognate; expected a document with \"format\": "
-                   "\"cognate-result/1\"");
-  }
   auto designs = document->value("designs", ordered_json());
   if (!designs.is_array() || designs.empty()) {
     return refusal(name, "this result has no design; expected a result with a design");
@@ -127,6 +131,11 @@ tl::expected<ResultDesign, std::string> parse_result_design(std::string_view tex
                    fmt::format("designs[{}] has no mechanism with a type; expected one", index));
   }
   return ResultDesign{document->value("problem", ordered_json()), std::move(wanted), design, name};
+}
+
+tl::expected<ordered_json, std::string> read_result(const fs::path& file) {
+  return text_in(file).and_then(
+      [&](const std::string& text) { return parse_result(text, file.string()); });
 }
 
 tl::expected<ResultDesign, std::string> read_result_design(const fs::path& file, int design) {

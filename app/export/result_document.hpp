@@ -19,6 +19,10 @@ struct ResultDesign {
   std::string name;                ///< what messages call the document
 };
 
+/// The result document in `file`, a `cognate-result/1`. The error is a message that begins with the
+/// file's name: what is wrong; what is allowed.
+tl::expected<nlohmann::ordered_json, std::string> read_result(const std::filesystem::path& file);
+
 /// NAME of NAME.result.json.
 std::string stem_of_result(const std::filesystem::path& file);
 

@@ -19,10 +19,6 @@ namespace {
 using synthesis::ProportionBox;
 using synthesis::TimedPath;
 
-/// Where the file has no bounds of the coupler point it is taken to lie within so many times the
-/// path's size of B.
-constexpr double kFarthestPoint = 300;
-
 Range limits_of(const std::optional<double>& given, const std::optional<Range>& bounds) {
   if (given) return {*given, *given};
   return bounds.value_or(Range{0, kInfinity});
@@ -89,31 +85,45 @@ TimedPath timed_path(const PathProblem& scaled, bool clockwise) {
   return path;
 }
 
-/// A box and the sense of the crank that it is for.
-struct Part {
-  ProportionBox box;
-  std::size_t sense = 0;
-};
+/// Of boxes of one sense.
+void judge_each(const synthesis::PathBound& bound, std::span<const ProportionBox> boxes,
+                double target, std::span<synthesis::StageVerdict> verdicts) {
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const synthesis::BoxBound found = bound(boxes[i], target);
+    verdicts[i] = {found.least < target ? 0 : 2, found.split};
+  }
+}
 
-std::vector<Part> parts_of(const PathDomain& domain) {
-  std::vector<Part> parts;
+synthesis::BranchResult prove(const PathDomain& domain, const synthesis::StageOptions& options) {
+  return synthesis::staged_search(
+      whole_parts(domain), options,
+      [&](std::span<const PathPart> parts, double target, double first_target,
+          std::span<synthesis::StageVerdict> verdicts) {
+        judge(domain, parts, target, first_target, verdicts);
+      },
+      [](const PathPart& part, int side) { return halves(part, side); });
+}
+
+}  // namespace
+
+std::vector<PathPart> whole_parts(const PathDomain& domain) {
+  std::vector<PathPart> parts;
   for (std::size_t sense = 0; sense < domain.bounds.size(); ++sense) {
     for (const ProportionBox& box : domain.roots) parts.push_back({box, sense});
   }
   return parts;
 }
 
-std::pair<Part, Part> part_halves(const Part& part, int side) {
+std::pair<PathPart, PathPart> halves(const PathPart& part, int side) {
   const auto [first, second] = synthesis::halves(part.box, side);
-  return {Part{first, part.sense}, Part{second, part.sense}};
+  return {PathPart{first, part.sense}, PathPart{second, part.sense}};
 }
 
-/// Boxes of one sense after the other.
-void judge(const PathDomain& domain, std::span<const Part> parts, double target,
+void judge(const PathDomain& domain, std::span<const PathPart> parts, double target,
            double first_target, std::span<synthesis::StageVerdict> verdicts) {
   std::vector<ProportionBox> boxes;
   std::vector<std::size_t> place;
-  for (std::size_t sense = 0; sense < domain.provers.size(); ++sense) {
+  for (std::size_t sense = 0; sense < domain.bounds.size(); ++sense) {
     boxes.clear();
     place.clear();
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -122,22 +132,14 @@ void judge(const PathDomain& domain, std::span<const Part> parts, double target,
       place.push_back(i);
     }
     std::vector<synthesis::StageVerdict> found(boxes.size());
-    domain.provers[sense].judge(boxes, target, first_target, found);
+    if (domain.provers.empty()) {
+      judge_each(domain.bounds[sense], boxes, target, found);
+    } else {
+      domain.provers[sense].judge(boxes, target, first_target, found);
+    }
     for (std::size_t i = 0; i < place.size(); ++i) verdicts[place[i]] = found[i];
   }
 }
-
-synthesis::BranchResult prove(const PathDomain& domain, const synthesis::StageOptions& options) {
-  return synthesis::staged_search(
-      parts_of(domain), options,
-      [&](std::span<const Part> parts, double target, double first_target,
-          std::span<synthesis::StageVerdict> verdicts) {
-        judge(domain, parts, target, first_target, verdicts);
-      },
-      part_halves);
-}
-
-}  // namespace
 
 PathDomain path_domain(const PathProblem& problem) {
   const PathScale scale(problem);
@@ -190,9 +192,9 @@ Certificate certify(const PathProblem& problem, double upper, const Run& run,
   }
   const auto options = certificate.options(domain.to_file);
   const auto result = synthesis::branch_and_bound(
-      parts_of(domain), options,
-      [&](const Part& part) { return domain.bounds[part.sense](part.box, options.target); },
-      part_halves);
+      whole_parts(domain), options,
+      [&](const PathPart& part) { return domain.bounds[part.sense](part.box, options.target); },
+      [](const PathPart& part, int side) { return halves(part, side); });
   return certificate.state(result, domain.to_file, domain.text);
 }
 
