@@ -188,6 +188,25 @@ PathBoxes::Multipliers PathBoxes::multipliers(const Sums& sums, const QuadInterv
   return m;
 }
 
+/// Those that hold q within its limit, too.
+PathBoxes::Multipliers PathBoxes::multipliers_within(const Sums& sums,
+                                                     const QuadInterval& crank) const {
+  Multipliers m = multipliers(sums, crank, 0);
+  double low = 0, high = 1e-16 * static_cast<double>(sums.crank_square.middle());
+  while (!(std::abs(m.q) <= farthest_) && high < kInfinity) {
+    low = m.on_point;
+    m = multipliers(sums, crank, high);
+    high *= 16;
+  }
+  for (double top = m.on_point; top > 1.001 * low;) {
+    const Multipliers between = multipliers(sums, crank, (low + top) / 2);
+    const bool is_within = std::abs(between.q) <= farthest_;
+    if (is_within) m = between;
+    (is_within ? top : low) = between.on_point;
+  }
+  return m;
+}
+
 /// How much the form lacks at the middle where nothing is shown; empty where the bound is shown.
 std::optional<double> PathBoxes::lacks(const Directions& d, const Sums& sums,
                                        const Multipliers& m) const {
@@ -303,7 +322,7 @@ std::optional<Counterexample> PathBoxes::counterexample(const QuadBox& box) cons
   if (std::ranges::count(d.weight, 0) > std::ranges::count(question_.weights, 0)) {
     return std::nullopt;
   }
-  const Multipliers m = multipliers(sums(d), *crank, 0);
+  const Multipliers m = multipliers_within(sums(d), *crank);
   if (!(std::abs(m.q) <= farthest_) || !std::isfinite(std::abs(m.s))) return std::nullopt;
   Counterexample found{linkage(point, d, m), std::arg(m.s) - question_.turned, 0};
   found.error = path_error(question_, found.linkage, found.first_crank_angle);

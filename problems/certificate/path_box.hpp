@@ -54,6 +54,7 @@ class PathBoxes {
   Directions directions(const LinkAngles& angles, const QuadBox& box) const;
   Sums sums(const Directions& directions) const;
   Multipliers multipliers(const Sums& sums, const QuadInterval& crank, double on_point) const;
+  Multipliers multipliers_within(const Sums& sums, const QuadInterval& crank) const;
   FourBar linkage(const QuadBox& point, const Directions& directions, const Multipliers& at) const;
   std::optional<double> lacks(const Directions& directions, const Sums& sums,
                               const Multipliers& multipliers) const;

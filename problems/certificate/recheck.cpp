@@ -30,19 +30,49 @@ std::vector<PathBoxes> boxes_of_senses(const PathProblem& problem, double bound)
 /// What became of one sampled box.
 struct Look {
   int parts = 0;
-  bool confirmed = true;
+  bool confirmed = false;
+  bool ended = false;  ///< before anything was found
   std::optional<Counterexample> refutation;
 };
 
-/// Divides `box` until every part is shown to hold nothing better, or there are too many.
-void look(const PathBoxes& boxes, const QuadBox& box, int depth, Look& found) {
-  if (!found.confirmed || found.refutation) return;
-  ++found.parts;
-  const BoxFinding finding = boxes(box);
-  if (finding.shown) return;
-  found.refutation = boxes.counterexample(box);
-  if (depth == kMostDepth || found.parts >= kMostParts) found.confirmed = false;
-  for (const QuadBox& part : box.halves(finding.side)) look(boxes, part, depth + 1, found);
+/// Divides `whole` until every part is shown to hold nothing better, or there are too many.
+Look look(const PathBoxes& boxes, const QuadBox& whole, const std::function<bool()>& ends) {
+  std::vector<std::pair<QuadBox, int>> open{{whole, 0}};
+  Look found;
+  while (!open.empty()) {
+    if (ends()) {
+      found.ended = true;
+      return found;
+    }
+    const auto [box, depth] = open.back();
+    open.pop_back();
+    ++found.parts;
+    const BoxFinding finding = boxes(box);
+    if (finding.shown) continue;
+    found.refutation = boxes.counterexample(box);
+    if (found.refutation || depth == kMostDepth || found.parts >= kMostParts) return found;
+    for (const QuadBox& part : box.halves(finding.side)) open.emplace_back(part, depth + 1);
+  }
+  found.confirmed = true;
+  return found;
+}
+
+/// Looks at the boxes of `sample` until one is refuted or `options` end it.
+std::vector<Look> look_at_all(const std::vector<PathBoxes>& boxes,
+                              const std::vector<PathPart>& sample, const RecheckOptions& options) {
+  std::atomic<bool> is_refuted = false;
+  std::atomic<std::size_t> done = 0;
+  const auto ends = [&] { return is_refuted || (options.stop && options.stop()); };
+  std::vector<Look> looks(sample.size());
+  parallel_for(static_cast<int>(looks.size()), options.threads, [&](int i, int thread) {
+    looks[i] = look(boxes[sample[i].sense], QuadBox(sample[i].box), ends);
+    if (looks[i].refutation) is_refuted = true;
+    ++done;
+    if (thread == 0 && options.progress) {
+      options.progress(0.5 + 0.5 * double(done) / double(looks.size()));
+    }
+  });
+  return looks;
 }
 
 /// Ranges of the proportions and the phase that a root box must hold.
@@ -130,28 +160,15 @@ Recheck recheck(const PathProblem& problem, double bound, const RecheckOptions& 
         judge(domain, parts, target, target, verdicts);
       },
       [](const PathPart& part, int side) { return halves(part, side); });
-  const std::vector<PathBoxes> boxes = boxes_of_senses(problem, bound);
-  std::vector<Look> looks(found.sample.size());
-  std::vector<char> looked(found.sample.size(), false);
-  std::atomic<std::size_t> done = 0;
-  parallel_for(static_cast<int>(looks.size()), options.threads, [&](int i, int thread) {
-    if (options.stop && options.stop()) return;
-    look(boxes[found.sample[i].sense], QuadBox(found.sample[i].box), 0, looks[i]);
-    looked[i] = true;
-    ++done;
-    if (thread == 0 && options.progress) {
-      options.progress(0.5 + 0.5 * double(done) / double(looks.size()));
-    }
-  });
   Recheck result{found.boxes, found.discarded, found.complete,
                  found.covers && covers_domain(problem, domain)};
-  for (std::size_t i = 0; i < looks.size(); ++i) {
-    if (!looked[i]) continue;
+  for (const Look& look : look_at_all(boxes_of_senses(problem, bound), found.sample, options)) {
+    result.parts += static_cast<std::uint64_t>(look.parts);
+    if (look.refutation && !result.refutation) result.refutation = look.refutation;
+    if (look.ended) continue;
     ++result.sampled;
-    result.parts += static_cast<std::uint64_t>(looks[i].parts);
-    if (looks[i].refutation && !result.refutation) result.refutation = looks[i].refutation;
-    if (looks[i].refutation) continue;
-    ++(looks[i].confirmed ? result.confirmed : result.undecided);
+    if (look.refutation) continue;
+    ++(look.confirmed ? result.confirmed : result.undecided);
   }
   return result;
 }

@@ -31,7 +31,7 @@ struct Recheck {
   std::size_t confirmed = 0;    ///< those shown to hold no better linkage
   std::size_t undecided = 0;    ///< those of which that could not be shown
   std::uint64_t parts = 0;      ///< into which they were divided, those that were not divided too
-  std::optional<Counterexample> refutation;
+  std::optional<Counterexample> refutation;  ///< the rest of the sample is then left
 
   bool holds() const { return reaches_bound && covers && undecided == 0 && !refutation; }
 };
