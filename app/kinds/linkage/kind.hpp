@@ -29,8 +29,8 @@ void add_size(nlohmann::ordered_json& metrics, const problems::NamedMechanism& m
 void add_bills(const problems::Result& result, const problems::LayerSizes& sizes,
                nlohmann::ordered_json& data);
 
-/// The page of designs. With the kernel of mechanisms, where one that is no four-bar is moved by the
-/// page.
+/// The page of designs. With the kernel of mechanisms, where one that is no four-bar is moved by
+/// the page.
 std::string linkage_page(bool moves, const problems::Result& result);
 
 /// Why `cognate analyze` takes no problem of these kinds.
