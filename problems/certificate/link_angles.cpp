@@ -32,7 +32,7 @@ QuadInterval sine_ratio(const QuadInterval& share, const QuadInterval& sine) {
 
 /// |2k − 1|.
 QuadInterval inner_of(const QuadInterval& frame) {
-  const QuadInterval twice = QuadInterval(2) * frame - QuadInterval(1);
+  QuadInterval twice = QuadInterval(2) * frame - QuadInterval(1);
   if (twice.low >= 0) return twice;
   if (twice.high <= 0) return -twice;
   return {0, twice.magnitude()};
