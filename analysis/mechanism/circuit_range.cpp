@@ -44,7 +44,7 @@ class Circuit {
   Circuit(Mechanism<double> mechanism, const Travel& travel, const std::function<bool()>& stop)
       : mechanism_(std::move(mechanism)), travel_(travel), stop_(stop) {}
 
-  std::optional<CircuitRange> from(double drive, std::vector<double> sides) {
+  std::optional<CircuitRange> from(double drive, const std::vector<double>& sides) {
     const auto back = branch(drive, -1, sides);
     if (!back) return std::nullopt;
     if (back->dyad < 0) return over_turns(drive, sides);

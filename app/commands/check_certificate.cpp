@@ -72,7 +72,7 @@ std::optional<Counterexample> linkage_in(const ordered_json& design) {
                          .coupler = *coupler,
                          .rocker = *rocker,
                          .assembly = is_open ? Assembly::open : Assembly::crossed,
-                         .coupler_point = *point},
+                         .coupler_point = point},
                         angles[0].get<double>() * kDegree,
                         0};
 }

@@ -139,10 +139,10 @@ void CommandLine::add_studio() {
 
 void CommandLine::add_check() {
   auto& check = add_files_command("check", "Validate a file; check a certificate.", kCheckFooter,
-                                  "problems or studies, TOML files; with --certificate results",
+                                  "TOML files; with --certificate results",
                                   {".toml", ".result.json"});
   check.add_flag("--certificate", arguments.certificate,
-                 "of results: check the proof of the best design again");
+                 "check the proof of the best design again");
   check.add_option("--sample", arguments.sample, "how many boxes of the proof (default 200)")
       ->type_name("N");
 }

@@ -19,7 +19,7 @@ struct Arguments {
   std::string kind;                 ///< of `new` and `list`
   std::string shell;                ///< of `completion`
   std::string seed, threads, time_limit, out, steps, length_unit;
-  std::string row;   ///< of a study, for `export`
+  std::string row;     ///< of a study, for `export`
   std::string port;    ///< of `studio`
   std::string sample;  ///< of `check`, of a certificate
   ExportTexts exporting;

@@ -68,8 +68,8 @@ ExitStatus check_command(const std::filesystem::path& file, const Options& optio
 
 /// Checks the certificate of the result document in `file` again: makes the boxes of its proof
 /// anew, looks at `sample` of them by other code and in 113 bits, and says what came of it (with
-/// `--json` as a document `cognate-check/1`). The status is that of no design where a box is refuted
-/// or not confirmed, or the boxes do not cover the domain.
+/// `--json` as a document `cognate-check/1`). The status is that of no design where a box is
+/// refuted or not confirmed, or the boxes do not cover the domain.
 ExitStatus check_certificate_command(const std::filesystem::path& file, int sample,
                                      const Options& options);
 

@@ -64,7 +64,7 @@ std::array<std::string, 2> read_output(TableReader& target, const std::string& t
 }
 
 std::array<std::string, 2> read_output_link(TableReader& target, const std::string& type) {
-  const std::array<std::string, 2> usual{"G", "F"};
+  std::array<std::string, 2> usual{"G", "F"};
   const auto names = target.texts(kOutput, {2, 2, "names of points"});
   if (!names) return usual;
   for (std::size_t i = 0; i < 2; ++i) {

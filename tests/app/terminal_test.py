@@ -135,7 +135,7 @@ class AtTheTerminal(unittest.TestCase):
             (["cognate", "--ver"], {"--version"}),
             (["cognate", "solve", ""], problems),
             (["cognate", "solve", "b"], {"b file.toml"}),
-            (["cognate", "--seed", "1", "check", ""], problems),
+            (["cognate", "--seed", "1", "check", ""], {*problems, "c.result.json"}),
             (["cognate", "export", ""], {"c.result.json", "d.study.db", "folder"}),
             (["cognate", "solve", "--t"], {"--threads", "--time-limit"}),
             (["cognate", "list", "--m"], {"--metrics"}),
