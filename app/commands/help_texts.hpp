@@ -212,13 +212,13 @@ inline constexpr const char* kCheckFooter =
   error, each as
     FILE:LINE:COLUMN: what is wrong; what is allowed
   The exit status is 0 for a sound file and 2 for one with faults.
-  With --certificate, of NAME.result.json of a timed path with solve.certify: the
-  boxes of its proof are made anew and counted until they cover the domain; of a
-  sample of those that the proof discards it is shown again, by other code and in
-  intervals of 113 bits, that no linkage in them is better than the bound. The
-  exit status is 0 if all are confirmed, and 1 if a better linkage is found,
-  which is printed, if a box stays undecided, or if the boxes do not cover the
-  domain. --seed chooses the sample.
+  With --certificate, of NAME.result.json of a timed path with solve.certify:
+  the boxes of its proof are made anew and counted until they cover the domain;
+  of a sample of those that the proof discards it is shown again, by other code
+  and in intervals of 113 bits, that no linkage in them is better than the
+  bound. The exit status is 0 if all are confirmed, and 1 if a better linkage
+  is found, which is printed, if a box stays undecided, or if the boxes do not
+  cover the domain. --seed chooses the sample.
 
 Examples:
   cognate check rocker.toml
