@@ -38,6 +38,7 @@ struct PathBoxes::Directions {
   std::vector<double> rest, weight;
   std::array<double, 4> doubt{};  ///< of each side, how much of the rests is due to it
   int side = 0;                   ///< best halved
+  bool closes = true;             ///< false: no linkage of the box closes at one of the angles
 };
 
 /// Products of the points, the crank's and the coupler's directions, with t eliminated if free.
@@ -77,6 +78,7 @@ PathBoxes::Directions PathBoxes::directions(const LinkAngles& angles, const Quad
   for (int i = 0; i < 4; ++i) half[i] = (box.side[i].high - box.side[i].low) / 2 * (1 + kUpward);
   for (std::size_t j = 0; j < n; ++j) {
     links.push_back(angles.at(question_.angles[j], false));
+    d.closes = d.closes && links[j].closes;
     if (!links[j].known) d.weight[j] = 0;
     if (d.weight[j] == 0) continue;
     weight += d.weight[j];
@@ -279,6 +281,7 @@ BoxFinding PathBoxes::operator()(const QuadBox& box) const {
   const auto crank = limits_.crank_lengths(box, angles.proportions());
   if (!crank) return {true, 0};
   const Directions d = directions(angles, box);
+  if (!d.closes) return {true, 0};
   if (std::ranges::count_if(d.weight, [](double w) { return w > 0; }) < 3) return {false, d.side};
   return {is_shown(d, *crank), d.side};
 }
