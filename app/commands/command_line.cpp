@@ -138,9 +138,9 @@ void CommandLine::add_studio() {
 }
 
 void CommandLine::add_check() {
-  auto& check = add_files_command("check", "Validate a file; check a certificate.", kCheckFooter,
-                                  "TOML files; with --certificate results",
-                                  {".toml", ".result.json"});
+  auto& check =
+      add_files_command("check", "Validate a file; check a certificate.", kCheckFooter,
+                        "TOML files; with --certificate results", {".toml", ".result.json"});
   check.add_flag("--certificate", arguments.certificate,
                  "check the proof of the best design again");
   check.add_option("--sample", arguments.sample, "how many boxes of the proof (default 200)")
