@@ -2,7 +2,7 @@
 // reads as the same problem. COGNATE: the program.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
@@ -52,6 +52,19 @@ test("the card says whose error is to be least", async () => {
   const { page, faults, close } = await open(browser, path.join(folder, "slider-crank-robust.report.html"), { motion: "reduce" });
   assert.equal((await rows(page)).Robust, "0.9");
   await assertIsProblem(page, "slider-crank-robust");
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("the bounds of a dyad are those of its links", async () => {
+  const file = path.join(folder, "bounded.toml");
+  writeFileSync(file, `${readFileSync(path.join(LIBRARY, "chain", "watt-path.toml"), "utf8")}\n[solve]\nstarts = 60\n`);
+  execFileSync(process.env.COGNATE, ["solve", "--quiet", "--out", folder, file]);
+  const { page, faults, close } = await open(browser, path.join(folder, "bounded.report.html"), { motion: "reduce" });
+  const bounds = (await rows(page)).Bounds;
+  assert.match(bounds, /A x −12 … 12, y −12 … 12;/);
+  assert.match(bounds, /B 0.2 … 12; BC 0.2 … 12; CD 0.2 … 12;/);
+  assert.doesNotMatch(bounds, /[^−]12 … 12|0.2 … 0.2/);
   assert.deepEqual(faults, []);
   await close();
 });

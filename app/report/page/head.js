@@ -14,7 +14,7 @@ export function showHead(result, kind, summary, keys, ends = {}) {
   document.title = `${title} – Cognate`;
   byId("title").textContent = title;
   byId("kind").textContent = kind;
-  showProblem(result.problem, kind);
+  showProblem(result.problem, kind, (result.designs ?? []).flatMap(({ mechanism }) => mechanism?.dyad ?? []));
   byId("status").textContent = say(ends[result.status] ?? `status.${result.status}`);
   byId("status").classList.add(TONES[result.status]);
   // A time stays with its unit where a line ends.

@@ -72,9 +72,22 @@ function valueParts(value, key, scope) {
   if (isTable(value)) return tableParts(value, scopeOf(key, value));
   if (isNumberPair(value) && (inBounds || INTERVALS.test(key))) return [`${number(value[0], DIGITS)} … ${number(value[1], DIGITS)}${unit}`];
   if (inBounds && value.length === 2 && value.every(isNumberPair)) {
+    if (!isBox(value)) return joinedParts(value.map((range) => valueParts(range, key, scope)), say("list.comma"));
     return [["x", "y"].map((axis, i) => `${axis} ${number(value[0][i], DIGITS)} … ${number(value[1][i], DIGITS)}`).join(say("list.comma"))];
   }
   return [...(isNumberPair(value) && VECTORS.includes(key) ? bracketed(value) : listParts(value, key)), unit];
+}
+
+// Whether two pairs are corners: of a place; two ranges of lengths would make a box without an extent.
+const isBox = ([low, high]) => low.every((x, i) => x <= high[i]) && low.some((x, i) => x < high[i]);
+
+// The problem, the bounds of the links of `dyads` under their names.
+function withNamedLinks(problem, dyads) {
+  if (!problem.bounds) return problem;
+  const links = new Map(dyads.filter(({ names }) => names).map(({ new: made, names }) => [made, names]));
+  const bounds = Object.entries(problem.bounds).flatMap(([name, bound]) => (links.has(name) && Array.isArray(bound?.[0])
+    ? bound.map((range, i) => [links.get(name)[i], range]) : [[name, bound]]));
+  return { ...problem, bounds: Object.fromEntries(bounds) };
 }
 
 const rangeText = ({ min, max }, unit) => (max === undefined || max === null ? say("range.at_least", { value: number(min, DIGITS) + unit })
@@ -113,11 +126,11 @@ function rowsOf([name, value]) {
   return rows.filter(([, parts]) => parts.length);
 }
 
-// `kind`: what the page calls the kind.
-export function showProblem(problem, kind) {
+// `kind`: what the page calls the kind; `dyads`: of the designs, where there are such.
+export function showProblem(problem, kind, dyads = []) {
   byId("problem").hidden = !problem?.kind;
   if (!problem?.kind) return;
-  const described = Object.entries(problem).filter(([key]) => !SHOWN_ELSEWHERE.includes(key)).flatMap(rowsOf);
+  const described = Object.entries(withNamedLinks(problem, dyads)).filter(([key]) => !SHOWN_ELSEWHERE.includes(key)).flatMap(rowsOf);
   const aims = AIMS.filter((key) => !isEmpty(problem.solve?.[key] ?? null)).map((key) => [sentence(keyName(key, "")), valueParts(problem.solve[key], key, "solve")]);
   const unit = LENGTH_UNIT ? [[say("dimensions.lengths_in"), [LENGTH_UNIT]]] : [];
   byId("problem-list").replaceChildren(...[[say("problem.kind"), [kind]], ...unit, ...described, ...aims].flatMap(([name, parts]) => {
