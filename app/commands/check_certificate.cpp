@@ -157,6 +157,7 @@ ordered_json check_json(const std::filesystem::path& file, const Statement& stat
                               {"discarded", found.discarded},
                               {"reaches_bound", found.reaches_bound},
                               {"covers", found.covers},
+                              {"chosen", found.chosen},
                               {"sampled", found.sampled},
                               {"confirmed", found.confirmed},
                               {"undecided", found.undecided},
@@ -189,6 +190,9 @@ std::string findings_text(const Statement& stated, const problems::Recheck& foun
   if (found.refutation) {
     return text + fmt::format("REFUTED: a linkage has the sum of squares {:.10g}: {}\n",
                               found.refutation->error, linkage_json(*found.refutation).dump());
+  }
+  if (found.sampled < found.chosen) {
+    text += fmt::format("ended before the other {}\n", found.chosen - found.sampled);
   }
   if (stated.lower_bound == 0) return text + "a bound of 0 needs no proof\n";
   return text + (found.holds() ? "confirmed\n" : "not confirmed\n");

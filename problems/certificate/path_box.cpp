@@ -29,6 +29,39 @@ Doubles middle_of(const QuadComplex& a) {
   return {static_cast<double>(a.re.middle()), static_cast<double>(a.im.middle())};
 }
 
+std::array<Quad, 4> half_sides(const QuadBox& box) {
+  std::array<Quad, 4> half;
+  for (int i = 0; i < 4; ++i) half[i] = (box.side[i].high - box.side[i].low) / 2 * (1 + kUpward);
+  return half;
+}
+
+/// The mean slopes, by which the couplers turn alike; any number is as good.
+std::array<Quad, 4> common_slopes(const std::vector<LinkAngle>& links,
+                                  const std::vector<double>& weight) {
+  std::array<Quad, 4> common{};
+  double all = 0;
+  for (std::size_t j = 0; j < links.size(); ++j) {
+    if (weight[j] == 0) continue;
+    all += weight[j];
+    for (int i = 0; i < 4; ++i) common[i] += weight[j] * links[j].slope[i].middle();
+  }
+  for (Quad& slope : common) slope /= all > 0 ? all : 1;
+  return common;
+}
+
+/// Of the sides, that of the frame's length by the shorter of crank and frame.
+std::array<double, 4> widths(const QuadBox& box, const std::array<Quad, 4>& half) {
+  std::array<double, 4> all{};
+  for (int i = 0; i < 4; ++i) all[i] = static_cast<double>(half[i]);
+  const Quad narrow = std::min<Quad>(box.side[0].middle(), 1 - box.side[0].middle());
+  if (box.crank_turns()) all[0] = static_cast<double>(2 * half[0] / narrow);
+  return all;
+}
+
+int greatest_of(const std::array<double, 4>& scores) {
+  return static_cast<int>(std::ranges::max_element(scores) - scores.begin());
+}
+
 }  // namespace
 
 /// The coupler's directions over a box: v[0] + Σ t_i v[i] for t in [−1, 1]⁴, up to `rest`, when all
@@ -36,9 +69,8 @@ Doubles middle_of(const QuadComplex& a) {
 struct PathBoxes::Directions {
   std::array<std::vector<QuadComplex>, kTerms> v;
   std::vector<double> rest, weight;
-  std::array<double, 4> doubt{};  ///< of each side, how much of the rests is due to it
-  int side = 0;                   ///< best halved
-  bool closes = true;             ///< false: no linkage of the box closes at one of the angles
+  int side = 0;        ///< best halved
+  bool closes = true;  ///< false: no linkage of the box closes at one of the angles
 };
 
 /// Products of the points, the crank's and the coupler's directions, with t eliminated if free.
@@ -72,21 +104,16 @@ PathBoxes::Directions PathBoxes::directions(const LinkAngles& angles, const Quad
   Directions d;
   d.weight = question_.weights;
   d.rest.assign(n, 0);
-  std::array<Quad, 4> half, common{};
+  for (auto& column : d.v) column.resize(n);
   std::vector<LinkAngle> links;
-  double weight = 0;
-  for (int i = 0; i < 4; ++i) half[i] = (box.side[i].high - box.side[i].low) / 2 * (1 + kUpward);
   for (std::size_t j = 0; j < n; ++j) {
     links.push_back(angles.at(question_.angles[j], false));
     d.closes = d.closes && links[j].closes;
     if (!links[j].known) d.weight[j] = 0;
-    if (d.weight[j] == 0) continue;
-    weight += d.weight[j];
-    for (int i = 0; i < 4; ++i) common[i] += d.weight[j] * links[j].slope[i].middle();
   }
-  for (auto& column : d.v) column.resize(n);
+  const auto half = half_sides(box), common = common_slopes(links, d.weight);
   std::array<double, 4> score{};
-  int left = 0;
+  std::size_t left = 0;
   for (std::size_t j = 0; j < n; ++j) {
     if (d.weight[j] == 0) continue;
     const QuadComplex& u = links[j].middle;
@@ -94,9 +121,8 @@ PathBoxes::Directions PathBoxes::directions(const LinkAngles& angles, const Quad
     std::array<double, 4> turned{}, doubt{};
     double all = 0, rest = 0;
     for (int i = 0; i < 4; ++i) {
-      const QuadInterval slope = links[j].slope[i] - QuadInterval(common[i] / weight);
-      const Quad middle = slope.middle();
-      const Quad step = middle * half[i];
+      const QuadInterval slope = links[j].slope[i] - QuadInterval(common[i]);
+      const Quad middle = slope.middle(), step = middle * half[i];
       d.v[i + 1][j] = QuadInterval(step) * QuadComplex{-u.im, u.re};
       doubt[i] = above((slope - middle).magnitude() * half[i]);
       turned[i] = above(abs(step));
@@ -109,14 +135,9 @@ PathBoxes::Directions PathBoxes::directions(const LinkAngles& angles, const Quad
       score[i] += d.weight[j] * std::min(1.0, all * turned[i] + doubt[i]);
     }
     if (d.rest[j] > kMostRest) d.weight[j] = 0;
-    if (d.weight[j] > 0) ++left;
+    left += d.weight[j] > 0;
   }
-  if (2 * left < static_cast<int>(n)) {
-    const Quad narrow = std::min<Quad>(box.side[0].middle(), 1 - box.side[0].middle());
-    for (int i = 0; i < 4; ++i) score[i] = static_cast<double>(half[i]);
-    if (box.crank_turns()) score[0] = static_cast<double>(2 * half[0] / narrow);
-  }
-  d.side = static_cast<int>(std::ranges::max_element(score) - score.begin());
+  d.side = greatest_of(2 * left < n ? widths(box, half) : score);
   return d;
 }
 
@@ -126,15 +147,14 @@ PathBoxes::Sums PathBoxes::sums(const Directions& d) const {
   s.points = question_.points;
   s.v = d.v;
   for (const CrankAngle& angle : question_.angles) s.cranks.push_back({angle.cosine, angle.sine});
-  double weight = 0;
-  for (const double w : d.weight) weight += w;
+  QuadInterval weight;
+  for (const double w : d.weight) weight += QuadInterval(w);
   const auto centre = [&](std::vector<QuadComplex>& values) {
     QuadComplex sum;
     for (std::size_t j = 0; j < n; ++j) {
       if (d.weight[j] > 0) sum += QuadInterval(d.weight[j]) * values[j];
     }
-    // Any point is as good where no point is held; the weights' own sum is rounded.
-    const QuadComplex mean = (QuadInterval(1) / QuadInterval(weight)) * sum;
+    const QuadComplex mean = (QuadInterval(1) / weight) * sum;
     for (QuadComplex& value : values) value = value - mean;
   };
   if (!question_.pivot_fixed) {

@@ -161,7 +161,7 @@ Recheck recheck(const PathProblem& problem, double bound, const RecheckOptions& 
       },
       [](const PathPart& part, int side) { return halves(part, side); });
   Recheck result{found.boxes, found.discarded, found.complete,
-                 found.covers && covers_domain(problem, domain)};
+                 found.covers && covers_domain(problem, domain), found.sample.size()};
   for (const Look& look : look_at_all(boxes_of_senses(problem, bound), found.sample, options)) {
     result.parts += static_cast<std::uint64_t>(look.parts);
     if (look.refutation && !result.refutation) result.refutation = look.refutation;

@@ -27,13 +27,14 @@ struct Recheck {
   std::uint64_t discarded = 0;  ///< that it discards
   bool reaches_bound = false;   ///< the prover is done with every box
   bool covers = false;          ///< they cover the domain
-  std::size_t sampled = 0;      ///< discarded boxes that were looked at again
+  std::size_t chosen = 0;       ///< discarded boxes that are to be looked at again
+  std::size_t sampled = 0;      ///< those of which that were, before the time ended
   std::size_t confirmed = 0;    ///< those shown to hold no better linkage
   std::size_t undecided = 0;    ///< those of which that could not be shown
   std::uint64_t parts = 0;      ///< into which they were divided, those that were not divided too
   std::optional<Counterexample> refutation;  ///< the rest of the sample is then left
 
-  bool holds() const { return reaches_bound && covers && undecided == 0 && !refutation; }
+  bool holds() const { return reaches_bound && covers && confirmed == chosen && !refutation; }
 };
 
 /// Why the certificates of `problem` are not checked again; empty where they are.

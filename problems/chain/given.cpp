@@ -8,6 +8,7 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/chain/chosen_targets.hpp"
+#include "problems/chain/crank_starts.hpp"
 #include "problems/chain/ordered_angles.hpp"
 #include "problems/chain/refine.hpp"
 #include "problems/chain/scaled.hpp"
@@ -16,8 +17,7 @@
 namespace cognate::problems {
 namespace {
 
-constexpr int kPhasesTried =
-    24;  ///< of the crank, from each of which that of a timed path is refined
+constexpr int kPhasesInTurn = 24;          ///< from each of which that of a timed path is refined
 constexpr std::size_t kMostOrdered = 240;  ///< targets that are put in order step by step
 /// A refinement moves each crank angle half of the way to its neighbours at most: it is repeated
 /// while the error falls by more than this share.
@@ -44,14 +44,22 @@ synthesis::ChainDesign given_dimensions(const Topology& topology) {
   return design;
 }
 
+/// Phases at which the chain closes at all targets of a timed path.
+std::vector<std::vector<double>> first_phases(const ScaledChain& problem) {
+  const NamedMechanism mechanism = given_mechanism(*problem.topology);
+  const auto [least, greatest] = std::ranges::minmax(problem.crank_angles);
+  std::vector<std::vector<double>> all;
+  for (const DriveRange& phases : starts_within_ranges(mechanism.mechanism, least, greatest)) {
+    for (const double phase : spread_over(phases, kPhasesInTurn)) all.push_back({phase});
+  }
+  return all;
+}
+
 /// Crank angles from which those of the targets are refined; of a timed path phases.
 std::vector<std::vector<double>> first_angles(const ScaledChain& problem,
                                               const synthesis::ChainDesign& design) {
+  if (problem.timed()) return first_phases(problem);
   std::vector<std::vector<double>> all;
-  if (problem.timed()) {
-    for (int k = 0; k < kPhasesTried; ++k) all.push_back({kTurn * k / kPhasesTried});
-    return all;
-  }
   const ChosenTargets chosen(problem, kMostOrdered);
   ScaledChain coarse = problem;
   coarse.points.clear();

@@ -2,21 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstddef>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/golden_section.hpp"
+#include "problems/chain/crank_starts.hpp"
 #include "problems/chain/given.hpp"
 #include "problems/chain_function/verify.hpp"
 
 namespace cognate::problems {
 namespace {
 
-constexpr int kStartsTried = 360;
-constexpr double kBetweenStarts = kTurn / kStartsTried;
+constexpr int kStartsInTurn = 360;
 constexpr int kStartsRefined = 4;
 constexpr int kStartSteps = 60;
 
@@ -38,22 +38,43 @@ class StartError {
   const NamedMechanism& mechanism_;
 };
 
-/// The starts tried from which the error grows to either side, the best first.
-std::vector<double> valleys(const StartError& error) {
+/// Starts about one from which the error grows to either side.
+struct Valley {
+  double error = 0;  ///< there
+  DriveRange starts;
+};
+
+void add_valleys(const StartError& error, const DriveRange& starts, std::vector<Valley>& valleys) {
+  const std::vector<double> places = spread_over(starts, kStartsInTurn);
+  const bool turns = is_whole_turn(starts);
+  const auto count = static_cast<std::ptrdiff_t>(places.size());
+  const double part = (starts.to - starts.from) / double(count);
   std::vector<double> at;
-  for (int i = 0; i < kStartsTried; ++i) at.push_back(error(kBetweenStarts * i));
-  std::vector<int> found;
-  for (int i = 0; i < kStartsTried; ++i) {
-    const auto here = at[static_cast<std::size_t>(i)];
-    const auto before = at[static_cast<std::size_t>((i + kStartsTried - 1) % kStartsTried)];
-    const auto after = at[static_cast<std::size_t>((i + 1) % kStartsTried)];
-    if (std::isfinite(here) && here <= before && here <= after) found.push_back(i);
+  for (const double place : places) at.push_back(error(place));
+  const auto beside = [&](std::ptrdiff_t i) {
+    const bool outside = i < 0 || i >= count;
+    return outside && !turns ? kInfinity : at[static_cast<std::size_t>((i + count) % count)];
+  };
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    const double here = beside(i), place = places[static_cast<std::size_t>(i)];
+    if (!std::isfinite(here) || here > beside(i - 1) || here > beside(i + 1)) continue;
+    const DriveRange about{place - part, place + part};
+    valleys.push_back({here, turns ? about
+                                   : DriveRange{std::max(about.from, starts.from),
+                                                std::min(about.to, starts.to)}});
   }
-  std::ranges::stable_sort(found, {}, [&](int i) { return at[static_cast<std::size_t>(i)]; });
-  if (found.size() > kStartsRefined) found.resize(kStartsRefined);
-  std::vector<double> starts;
-  for (const int i : found) starts.push_back(kBetweenStarts * i);
-  return starts;
+}
+
+/// The deepest of those from which the chain generates the whole function.
+std::vector<Valley> valleys_of(const StartError& error, const Mechanism<double>& mechanism,
+                               const Range& sweep) {
+  std::vector<Valley> valleys;
+  for (const DriveRange& starts : starts_within_ranges(mechanism, sweep.min, sweep.max)) {
+    add_valleys(error, starts, valleys);
+  }
+  std::ranges::stable_sort(valleys, {}, &Valley::error);
+  if (valleys.size() > kStartsRefined) valleys.resize(kStartsRefined);
+  return valleys;
 }
 
 }  // namespace
@@ -67,10 +88,9 @@ std::optional<Design> given_design(const ChainFunctionProblem& problem,
   const Topology& topology = problem.topologies.front();
   const NamedMechanism mechanism = given_mechanism(topology);
   const StartError error(problem, wanted, mechanism);
-  double start = 0, least = std::numeric_limits<double>::infinity();
-  for (const double valley : valleys(error)) {
-    const auto found =
-        golden_section(error, valley - kBetweenStarts, valley + kBetweenStarts, kStartSteps);
+  double start = 0, least = kInfinity;
+  for (const auto& [at, starts] : valleys_of(error, mechanism.mechanism, wanted.sweep)) {
+    const auto found = golden_section(error, starts.from, starts.to, kStartSteps);
     const double middle = found.middle();
     const double here = error(middle);
     if (here < least) std::tie(start, least) = std::pair(middle, here);

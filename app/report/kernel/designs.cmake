@@ -11,6 +11,7 @@ cognate_page_kernel(design_kernel ${problem_reader} ${mechanism_evaluator} ${ana
   app/report/kernel/designs.cpp
   problems/chain/chosen_targets.cpp
   problems/chain/cosine_scan.cpp
+  problems/chain/crank_starts.cpp
   problems/chain/free_chain.cpp
   problems/chain/given.cpp
   problems/chain/known_topologies.cpp

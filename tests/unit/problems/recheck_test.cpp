@@ -224,6 +224,18 @@ TEST(Recheck, ConfirmsAProof) {
   EXPECT_EQ(found.boxes, 2 * found.discarded - 2);  // of two roots
 }
 
+TEST(Recheck, ConfirmsNothingThatTimeDidNotAllow) {
+  bool over = false;
+  RecheckOptions options = options_of(10, 1, 1);
+  options.progress = [&](double share) { over = share > 0.5; };
+  options.stop = [&] { return over; };
+  const Recheck found = recheck(short_links(), 0.3 * kBestOfShortLinks, options);
+  EXPECT_EQ(found.sampled, 1u);
+  EXPECT_EQ(found.undecided, 0u);
+  EXPECT_TRUE(found.covers);
+  EXPECT_FALSE(found.holds());
+}
+
 TEST(Recheck, TakesTheSameSampleWithAnyNumberOfThreads) {
   const auto with = [](int threads, std::uint64_t seed) {
     return recheck(short_links(), 0.3 * kBestOfShortLinks, options_of(10, seed, threads));

@@ -1,0 +1,34 @@
+#include "problems/chain/crank_starts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/numbers/constants.hpp"
+
+namespace cognate::problems {
+
+std::vector<DriveRange> starts_within_ranges(const Mechanism<double>& mechanism, double least,
+                                             double greatest) {
+  std::vector<DriveRange> starts;
+  for (const DriveRange& range : ranges_over_a_turn(mechanism)) {
+    if (is_whole_turn(range)) return {range};
+    const DriveRange within{range.from - least, range.to - greatest};
+    if (within.from <= within.to) starts.push_back(within);
+  }
+  return starts;
+}
+
+bool is_whole_turn(const DriveRange& starts) {
+  return starts.to - starts.from >= kTurn * (1 - 1e-12);
+}
+
+std::vector<double> spread_over(const DriveRange& starts, int per_turn) {
+  constexpr int kFewest = 12;
+  const double width = starts.to - starts.from;
+  const int count = std::max(kFewest, static_cast<int>(std::ceil(per_turn * width / kTurn)));
+  std::vector<double> places;
+  for (int i = 0; i < count; ++i) places.push_back(starts.from + width * (i + 0.5) / count);
+  return places;
+}
+
+}  // namespace cognate::problems
