@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/mechanism/assembly_ranges.hpp"
+#include "problems/chain/scaled.hpp"
 
 namespace cognate::problems {
 
@@ -11,6 +12,11 @@ namespace cognate::problems {
 /// of `mechanism`; a whole turn of them where its crank turns fully.
 std::vector<DriveRange> starts_within_ranges(const Mechanism<double>& mechanism, double least,
                                              double greatest);
+
+/// Phases of the crank of a timed path from which its own is refined, spread over those at which
+/// the chain can be assembled at all points.
+std::vector<std::vector<double>> first_phases(const ScaledChain& problem,
+                                              const synthesis::ChainDesign& design, int per_turn);
 
 /// Whether they are a whole turn.
 bool is_whole_turn(const DriveRange& starts);

@@ -44,21 +44,10 @@ synthesis::ChainDesign given_dimensions(const Topology& topology) {
   return design;
 }
 
-/// Phases at which the chain closes at all targets of a timed path.
-std::vector<std::vector<double>> first_phases(const ScaledChain& problem) {
-  const NamedMechanism mechanism = given_mechanism(*problem.topology);
-  const auto [least, greatest] = std::ranges::minmax(problem.crank_angles);
-  std::vector<std::vector<double>> all;
-  for (const DriveRange& phases : starts_within_ranges(mechanism.mechanism, least, greatest)) {
-    for (const double phase : spread_over(phases, kPhasesInTurn)) all.push_back({phase});
-  }
-  return all;
-}
-
 /// Crank angles from which those of the targets are refined; of a timed path phases.
 std::vector<std::vector<double>> first_angles(const ScaledChain& problem,
                                               const synthesis::ChainDesign& design) {
-  if (problem.timed()) return first_phases(problem);
+  if (problem.timed()) return first_phases(problem, design, kPhasesInTurn);
   std::vector<std::vector<double>> all;
   const ChosenTargets chosen(problem, kMostOrdered);
   ScaledChain coarse = problem;

@@ -5,39 +5,75 @@
 #include <limits>
 #include <utility>
 
+#include "analysis/mechanism/assembly_ranges.hpp"
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "analysis/numbers/zeros.hpp"
 #include "synthesis/chain/sweep.hpp"
 
 namespace cognate::problems {
 namespace {
 
 constexpr std::size_t kLeastSteps = 72, kStepsOfAPoint = 4;
-constexpr std::size_t kMost = 3;  ///< of both senses together
+constexpr std::size_t kFiner = 3;  ///< of ranges, in which a point's angle is the harder to find
+constexpr std::size_t kMost = 3;   ///< of both senses together
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
 std::vector<Vec2d> curve_of(const ScaledChain& problem, const synthesis::ChainDesign& design,
-                            std::size_t steps) {
+                            const std::vector<double>& cranks) {
   const std::vector<double> side(design.side.begin(), design.side.end());
   const synthesis::ChainView<double> view{problem.lines.data(),
                                           static_cast<int>(problem.lines.size()),
                                           design.parameters.data(), side.data()};
   synthesis::ChainPlace<double> place;
   std::vector<Vec2d> curve;
-  for (std::size_t i = 0; i < steps; ++i) {
-    synthesis::place(view, unit_vector(kTurn * double(i) / double(steps)), place);
+  for (const double crank : cranks) {
+    synthesis::place(view, unit_vector(crank), place);
     curve.push_back(place.at[problem.topology->trace]);
   }
   return curve;
 }
+
+/// Crank angles in order within the ranges of a chain whose crank does not turn fully, crowded
+/// towards their ends: there the point goes with the root of the distance, and at them it is as
+/// fast as one likes.
+std::vector<double> cranks_in_ranges(const ScaledChain& problem,
+                                     const synthesis::ChainDesign& design, std::size_t steps) {
+  std::vector<double> cranks;
+  const NamedMechanism mechanism = named(*problem.topology, design);
+  for (const auto& [from, to] : ranges_over_a_turn(mechanism.mechanism)) {
+    const std::vector<double> all = crowded(from, to, static_cast<int>(steps));
+    cranks.insert(cranks.end(), all.begin() + 1, all.end() - 1);
+  }
+  return cranks;
+}
+
+/// The crank's steps over a turn, and the traced point there.
+struct Steps {
+  std::vector<double> cranks;
+  std::vector<Vec2d> curve;
+
+  Steps(const ScaledChain& problem, const synthesis::ChainDesign& design) {
+    const std::size_t steps = std::max(kLeastSteps, kStepsOfAPoint * problem.points.size());
+    for (std::size_t i = 0; i < steps; ++i) cranks.push_back(kTurn * double(i) / double(steps));
+    curve = curve_of(problem, design, cranks);
+    if (std::ranges::all_of(curve, [](const Vec2d& at) { return std::isfinite(at.x); })) return;
+    cranks = cranks_in_ranges(problem, design, kFiner * steps);
+    curve = curve_of(problem, design, cranks);
+  }
+};
 
 using Beginning = std::pair<double, std::size_t>;
 
 /// Steps in order for one sense of the crank.
 class InOrder {
  public:
-  InOrder(const std::vector<Vec2d>& points, const std::vector<Vec2d>& curve, bool clockwise)
-      : points_(points), curve_(curve), clockwise_(clockwise), least_(curve.size()) {}
+  InOrder(const std::vector<Vec2d>& points, const Steps& steps, bool clockwise)
+      : points_(points),
+        curve_(steps.curve),
+        cranks_(steps.cranks),
+        clockwise_(clockwise),
+        least_(curve_.size()) {}
 
   /// The sums that are least among their neighbours, with the steps where they begin.
   std::vector<Beginning> valleys() {
@@ -80,9 +116,7 @@ class InOrder {
 
  private:
   double square(std::size_t point, std::size_t step) const {
-    const std::size_t count = curve_.size();
-    const double away =
-        squared_norm(curve_[clockwise_ ? (count - step) % count : step % count] - points_[point]);
+    const double away = squared_norm(curve_[place(step)] - points_[point]);
     return std::isfinite(away) ? away : kNone;
   }
 
@@ -101,12 +135,21 @@ class InOrder {
     return least_.back();
   }
 
+  /// Which of the steps over a turn this one is.
+  std::size_t place(std::size_t step) const {
+    const std::size_t count = curve_.size(), ahead = step % count;
+    return clockwise_ ? (count - ahead) % count : ahead;
+  }
+
   double angle(std::size_t step) const {
-    return (clockwise_ ? -kTurn : kTurn) * double(step) / double(curve_.size());
+    const std::size_t count = curve_.size();
+    const double turns = clockwise_ ? -double((step + count - 1) / count) : double(step / count);
+    return cranks_[place(step)] + kTurn * turns;
   }
 
   const std::vector<Vec2d>& points_;
   const std::vector<Vec2d>& curve_;
+  const std::vector<double>& cranks_;
   bool clockwise_;
   std::vector<double> least_;
 };
@@ -115,9 +158,9 @@ class InOrder {
 
 std::vector<std::vector<double>> ordered_angles(const ScaledChain& problem,
                                                 const synthesis::ChainDesign& design) {
-  const std::size_t steps = std::max(kLeastSteps, kStepsOfAPoint * problem.points.size());
-  const std::vector<Vec2d> curve = curve_of(problem, design, steps);
-  InOrder senses[] = {{problem.points, curve, false}, {problem.points, curve, true}};
+  const Steps steps(problem, design);
+  if (steps.cranks.empty()) return {};
+  InOrder senses[] = {{problem.points, steps, false}, {problem.points, steps, true}};
   std::vector<std::pair<Beginning, InOrder*>> best;
   for (InOrder& sense : senses) {
     for (const Beginning& valley : sense.valleys()) best.emplace_back(valley, &sense);

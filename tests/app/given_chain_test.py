@@ -166,5 +166,49 @@ output = "C"
         self.assertLessEqual(half_band(own), min(map(half_band, turn(720))) + 1e-6)
 
 
+class CranksThatDoNotTurn(unittest.TestCase):
+    """Targets over most of the range of a crank, also of a narrow one: they are reached exactly."""
+
+    @staticmethod
+    def planted(noise, share, is_narrow):
+        """A four-bar as a chain, and crank angles over a share of its range, −reach to reach."""
+        least, greatest = (0.95, 0.999) if is_narrow else (-0.98, 0.95)
+        while True:
+            crank, coupler, rocker, frame = (noise.uniform(1, 3) for _ in range(4))
+            cosine = (crank ** 2 + frame ** 2 - (coupler + rocker) ** 2) / (2 * crank * frame)
+            if abs(crank - frame) > abs(coupler - rocker) and least < cosine < greatest:
+                break
+        chain = Chain({
+            "pivot": [{"name": "A", "at": (0, 0)}, {"name": "D", "at": (frame, 0)}],
+            "crank": {"at": "A", "pin": "B", "length": crank},
+            "dyad": [{"joins": ["B", "D"], "new": "C", "lengths": [coupler, rocker],
+                      "assembly": noise.choice(["open", "crossed"])}],
+            "point": [{"name": "P", "on": ["B", "C"], "at": (noise.uniform(-1, 3), noise.uniform(-2, 2))}]})
+        reach = math.acos(cosine)
+        first = -reach + noise.uniform(0.01, 0.99) * 2 * reach * (1 - share)
+        return chain, [first + 2 * reach * share * i / 12 for i in range(13)]
+
+    def test_targets_over_most_of_the_range(self):
+        noise, worst = random.Random(5), 0
+        for share in (0.5, 0.9, 0.99):
+            for i in range(4):
+                chain, angles = self.planted(noise, share, i % 2 == 0)
+                points = chain.path("P", angles)
+                degrees = [math.degrees(angle - angles[0]) + 37 for angle in angles]
+                crank, over = chain.crank["length"], 'over = "range"'
+                timed = f'timing = "prescribed"\ncrank_deg = {toml(degrees)}'
+                at = [chain.places(angle) for angle in angles]
+                turns = [math.atan2((here["C"] - here["D"]).imag, (here["C"] - here["D"]).real) for here in at]
+                pairs = [[math.degrees(angle - angles[0]), math.degrees(math.remainder(turn - turns[0], math.tau))]
+                         for angle, turn in zip(angles, turns)]
+                function = (f'kind = "function-generation"\n[target]\noutput = ["D", "C"]\npairs_deg = {toml(pairs)}\n'
+                            f"{mechanism(without_points(chain), crank)}\n[constraints]\n{over}\n")
+                for text in (path_file(points, chain, crank, timed, over),
+                             path_file(points, chain, crank, "", over), function):
+                    (design,) = solved(text)["designs"]
+                    worst = max(worst, design["error"]["rms"])
+        self.assertLess(worst, 1e-7)
+
+
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

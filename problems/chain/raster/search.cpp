@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "analysis/numbers/angle.hpp"
-#include "analysis/numbers/constants.hpp"
+#include "problems/chain/crank_starts.hpp"
 #include "problems/chain/ordered_angles.hpp"
 #include "problems/chain/placed_fit.hpp"
 #include "problems/chain/placed_starts.hpp"
@@ -82,7 +82,8 @@ class ChainRaster final : public synthesis::RasterTask {
     if (scaled_.is_movable) return evaluate_moved(at, from);
     std::vector<RasterPoint> starts(from.begin(), from.end());
     for (const synthesis::ChainDesign& design : designs_at(at, from)) {
-      for (auto& angles : scaled_.timed() ? phases() : ordered_angles(scaled_, design)) {
+      for (auto& angles : scaled_.timed() ? first_phases(scaled_, design, kPhasesInTurn)
+                                          : ordered_angles(scaled_, design)) {
         starts.push_back(point_of({design, std::move(angles), {}}));
       }
     }
@@ -114,12 +115,7 @@ class ChainRaster final : public synthesis::RasterTask {
   }
 
  private:
-  static std::vector<std::vector<double>> phases() {
-    constexpr int kPhases = 8;
-    std::vector<std::vector<double>> all;
-    for (int k = 0; k < kPhases; ++k) all.push_back({kTurn * k / kPhases});
-    return all;
-  }
+  static constexpr int kPhasesInTurn = 8;
 
   /// The designs of a combination: where the raster leaves a dimension free those of `from`, else
   /// one for each assembly that the file allows.
