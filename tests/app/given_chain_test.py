@@ -4,6 +4,7 @@ against closures computed here point by point, also where limits are missed.
 Run as: given_chain_test.py PROGRAM, the built program.
 """
 
+import cmath
 import math
 import pathlib
 import random
@@ -172,19 +173,17 @@ class CranksThatDoNotTurn(unittest.TestCase):
     @staticmethod
     def planted(noise, share, is_narrow):
         """A four-bar as a chain, and crank angles over a share of its range, −reach to reach."""
-        least, greatest = (0.95, 0.999) if is_narrow else (-0.98, 0.95)
-        while True:
-            crank, coupler, rocker, frame = (noise.uniform(1, 3) for _ in range(4))
-            cosine = (crank ** 2 + frame ** 2 - (coupler + rocker) ** 2) / (2 * crank * frame)
-            if abs(crank - frame) > abs(coupler - rocker) and least < cosine < greatest:
-                break
+        reach = math.radians(noise.uniform(10, 25) if is_narrow else noise.uniform(60, 160))
+        crank, frame = noise.uniform(1, 3), noise.uniform(1, 3)
+        longest = abs(frame - cmath.rect(crank, reach))  # of coupler and rocker in line
+        difference = noise.uniform(-0.9, 0.9) * abs(crank - frame)
+        coupler, rocker = (longest + difference) / 2, (longest - difference) / 2
         chain = Chain({
             "pivot": [{"name": "A", "at": (0, 0)}, {"name": "D", "at": (frame, 0)}],
             "crank": {"at": "A", "pin": "B", "length": crank},
             "dyad": [{"joins": ["B", "D"], "new": "C", "lengths": [coupler, rocker],
                       "assembly": noise.choice(["open", "crossed"])}],
             "point": [{"name": "P", "on": ["B", "C"], "at": (noise.uniform(-1, 3), noise.uniform(-2, 2))}]})
-        reach = math.acos(cosine)
         first = -reach + noise.uniform(0.01, 0.99) * 2 * reach * (1 - share)
         return chain, [first + 2 * reach * share * i / 12 for i in range(13)]
 
