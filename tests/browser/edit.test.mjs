@@ -7,6 +7,7 @@ import os from "node:os";
 import path from "node:path";
 import { after, before } from "node:test";
 import { inTurn as test, launch, some, visit as visitReport } from "./browser.mjs";
+import { drag, edit, field, type } from "./edits.mjs";
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -16,27 +17,7 @@ const visit = (name, steps) => visitReport(browser, name, { motion: "reduce" }, 
 const value = (page, row, column = "now") => page.locator(`#edit-values tr[data-row="${row}"] td`).nth(column === "now" ? 2 : 1)
   .evaluate((cell) => JSON.parse(cell.dataset.value));
 const result = (page) => page.evaluate(() => JSON.parse(document.getElementById("data").textContent).result);
-const field = (page, key) => page.locator(`[data-field="${key}"]`);
 const near = (a, b, tolerance, what) => assert.ok(Math.abs(a - b) <= tolerance, `${what}: ${a} and ${b}`);
-
-async function edit(page) {
-  await page.locator(".edit-toggle").click();
-  await page.locator("#edit").waitFor();
-}
-
-async function type(page, key, number) {
-  await field(page, key).fill(String(number));
-  await field(page, key).press("Tab");
-}
-
-async function drag(page, joint, by) {
-  const box = await page.locator(`[data-joint="${joint}"]`).boundingBox();
-  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.mouse.move(x + by[0], y + by[1], { steps: 5 });
-  await page.mouse.up();
-}
 
 // The result of the program on the text of a file.
 function answered(text, command = "analyze") {

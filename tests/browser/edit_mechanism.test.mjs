@@ -7,6 +7,7 @@ import os from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { assertFits, launch, open, some } from "./browser.mjs";
+import { drag, edit, field, type } from "./edits.mjs";
 import { reported, sameTold, textsOf } from "./told.mjs";
 
 const LIBRARY = new URL("../../problems/library/", import.meta.url).pathname;
@@ -29,33 +30,13 @@ const MECHANISMS = {
   "six-bar with a dwell": ["dwell/six-bar-dwell", { "dyad.0.lengths.1": 1.01 }, "F"],
 };
 
-const field = (page, key) => page.locator(`[data-field="${key}"]`);
 const status = (page) => page.locator(".edit-status").textContent();
-
-async function edit(page) {
-  await page.locator(".edit-toggle").click();
-  await page.locator("#edit").waitFor();
-}
-
-async function type(page, key, number) {
-  await field(page, key).fill(String(number));
-  await field(page, key).press("Tab");
-}
 
 async function scale(page, factors) {
   for (const [key, factor] of Object.entries(factors)) {
     await type(page, key, factor * Number(await field(page, key).inputValue()));
     assert.equal(await status(page), "", key);
   }
-}
-
-async function drag(page, joint, [x, y]) {
-  const box = await page.locator(`[data-joint="${joint}"]`).boundingBox();
-  const [left, top] = [box.x + box.width / 2, box.y + box.height / 2];
-  await page.mouse.move(left, top);
-  await page.mouse.down();
-  await page.mouse.move(left + x, top + y, { steps: 3 });
-  await page.mouse.up();
 }
 
 async function opened(name, file, options, steps) {
