@@ -143,8 +143,8 @@ class InOrder {
 
   double angle(std::size_t step) const {
     const std::size_t count = curve_.size();
-    const double turns = clockwise_ ? -double((step + count - 1) / count) : double(step / count);
-    return cranks_[place(step)] + kTurn * turns;
+    const auto turns = std::ptrdiff_t((clockwise_ ? step + count - 1 : step) / count);
+    return cranks_[place(step)] + kTurn * double(clockwise_ ? -turns : turns);
   }
 
   const std::vector<Vec2d>& points_;
