@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -15,12 +16,14 @@
 #include "problems/guidance/starts.hpp"
 #include "problems/linkage/linkage_constraints.hpp"
 #include "synthesis/search/multi_start.hpp"
+#include "synthesis/search/search.hpp"
 
 namespace cognate::problems {
 namespace {
 
 /// `problem` without one kind of its limits each (class, transmission angle, places of pivots,
-/// lengths), and without all of these if they are several; empty if there are none.
+/// lengths), and without all of these if they are several; empty if there are none. Where the
+/// transmission angle is limited and the class is not, also as it is: see `MotionSearch::confine`.
 std::vector<MotionProblem> relaxations(const MotionProblem& problem) {
   const auto drop_class = [](MotionProblem& p) {
     return std::exchange(p.constraints.required_class, std::nullopt).has_value();
@@ -51,6 +54,8 @@ std::vector<MotionProblem> relaxations(const MotionProblem& problem) {
     if (drop(without)) relaxed.push_back(std::move(without));
     drop(free);
   };
+  const bool is_open = !problem.constraints.required_class;
+  if (is_open && problem.constraints.transmission_angle) relaxed.push_back(problem);
   relax(drop_class);
   relax(drop_transmission);
   relax(drop_places);
@@ -74,9 +79,11 @@ constexpr std::size_t kDeepened = 24, kFinished = 2;
 constexpr int kOrderingRounds = 6;
 /// How often stations of a minimum are parted.
 constexpr int kPartingRounds = 20;
-/// Starts of a round, and the fewest (also with limits) and most of a search where the file does
-/// not say.
-constexpr int kRound = 100, kFewestStarts = 200, kFewestLimited = 400, kMostStarts = 800;
+/// Starts of a round, and the fewest and most of a search where the file does not say: without and
+/// with limits. From which start on those of a search with limits are also designs found,
+/// disturbed.
+constexpr int kRound = 100, kFewestStarts = 200, kMostStarts = 800;
+constexpr int kFewestLimited = 400, kMostLimited = 1200, kFirstNearFound = 600;
 /// Explored minima closer than this, and refined ones, are the same up to what an unfinished
 /// refinement leaves open.
 constexpr double kSameFit = 1e-4, kSameMinimum = 1e-6;
@@ -128,7 +135,7 @@ class MotionSearch {
   }
 
   MotionFound explored(const MotionProblem& problem, MotionMinimum from);
-  MotionFound explored(const MotionStart& start, bool confined);
+  MotionFound explored(const MotionStart& start);
   MotionFound explored_in_turn(const MotionStart& start, int index);
   void fit(const MotionProblem& problem, Solver solver, const synthesis::Options& options,
            MotionMinimum& minimum);
@@ -137,6 +144,7 @@ class MotionSearch {
   void confine(MotionMinimum& minimum) const;
   void part_stations(const MotionProblem& problem, Solver solver, const synthesis::Options& options,
                      MotionFound& found);
+  std::optional<MotionStart> near_found(int index) const;
   void add_known(const std::vector<DyadPair>& known);
   void add_round(const MotionStarts& starts, int first, int count);
   void add(std::vector<MotionFound> fresh) {
@@ -173,10 +181,9 @@ MotionFound MotionSearch::explored(const MotionProblem& problem, MotionMinimum f
   return found;
 }
 
-/// `confined`: to the class of the start.
-MotionFound MotionSearch::explored(const MotionStart& start, bool confined) {
+MotionFound MotionSearch::explored(const MotionStart& start) {
   MotionMinimum from = begun(coarse_, start);
-  if (confined) confine(from);
+  confine(from);
   return explored(coarse_, std::move(from));
 }
 
@@ -192,21 +199,19 @@ void MotionSearch::confine(MotionMinimum& minimum) const {
 }
 
 /// Every second start is explored with some limits dropped, each time others, and from there with
-/// all of them: all limits together lead most starts to poor minima at their borders. Half of both
-/// stay in their class.
+/// all of them: all limits together lead most starts to poor minima at their borders.
 MotionFound MotionSearch::explored_in_turn(const MotionStart& start, int index) {
-  const bool confined = index % 4 > 1;
-  if (relaxed_.empty() || index % 2 == 0) return explored(start, confined);
+  if (relaxed_.empty() || index % 2 == 0) return explored(start);
   const MotionProblem& relaxed = relaxed_[static_cast<std::size_t>(index / 2) % relaxed_.size()];
   MotionFound there = explored(relaxed, begun(relaxed, start));
-  if (!there.valid) return explored(start, confined);
+  if (!there.valid) return explored(start);
   MotionMinimum& minimum = there.minimum;
   const MotionModel without(relaxed, minimum.form);
   minimum.form.confined_to = form_of(coarse_, without.pair(minimum.solution.x)).confined_to;
   minimum.solution.x =
       MotionModel(coarse_, minimum.form)
           .with_angles(minimum.solution.x, without.station_angles(minimum.solution.x));
-  if (confined) confine(minimum);
+  confine(minimum);
   return explored(coarse_, std::move(minimum));
 }
 
@@ -262,15 +267,30 @@ void MotionSearch::explore(const std::vector<DyadPair>& known, std::optional<int
   add_known(known);
   std::optional<MotionStarts> source;
   if (starts != 0) source.emplace(coarse_, kept_poses_, run_.seed, deadline_);
-  const int fewest = relaxed_.empty() ? kFewestStarts : kFewestLimited;
-  search_.explore({.starts = starts, .round = kRound, .fewest = fewest, .most = kMostStarts},
+  const bool limited = !relaxed_.empty();
+  search_.explore({.starts = starts,
+                   .round = kRound,
+                   .fewest = limited ? kFewestLimited : kFewestStarts,
+                   .most = limited ? kMostLimited : kMostStarts},
                   {0, 0.8}, [&](int first, int count) { add_round(*source, first, count); });
+}
+
+/// Late in a search with limits every second start is a design found, disturbed: at borders where
+/// several limits meet, descents end short of the best, each elsewhere.
+std::optional<MotionStart> MotionSearch::near_found(int index) const {
+  const auto& all = search_.all();
+  if (relaxed_.empty() || all.empty() || index < kFirstNearFound || index % 2 == 0) return {};
+  std::mt19937_64 random = synthesis::start_random(run_.seed, index);
+  const auto& [form, origin, solution] = all[random() % all.size()].minimum;
+  if (form.second != synthesis::DyadKind::rr) return {};
+  return MotionStart{disturbed(coarse_, MotionModel(coarse_, form).pair(solution.x), random),
+                     "search"};
 }
 
 void MotionSearch::add_known(const std::vector<DyadPair>& known) {
   std::vector<MotionFound> fresh(known.size());
   search_.for_each(known.size(), [&](std::size_t i) {
-    fresh[i] = explored({known[i], "search"}, false);
+    fresh[i] = explored({known[i], "search"});
     fresh[i].hits = 0;  // no start of the search
   });
   add(std::move(fresh));
@@ -281,6 +301,12 @@ void MotionSearch::add_round(const MotionStarts& starts, int first, int count) {
   std::atomic<int> done{0};
   search_.for_each(fresh.size(), [&](std::size_t i) {
     const int index = first + static_cast<int>(i);
+    if (const auto near = near_found(index)) {
+      fresh[i] = explored(*near);
+      fresh[i].hits = 0;  // no draw of its own
+      ++done;
+      return;
+    }
     const auto start = starts.start(index);
     if (!start) return;
     fresh[i] = explored_in_turn(*start, index);

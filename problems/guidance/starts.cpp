@@ -9,6 +9,7 @@
 #include <random>
 #include <set>
 
+#include "analysis/numbers/random.hpp"
 #include "problems/guidance/dyads.hpp"
 #include "problems/guidance/model.hpp"
 #include "synthesis/exact/motion/five_poses.hpp"
@@ -109,6 +110,20 @@ const DyadCandidate& any_of(const std::vector<DyadCandidate>& sorted, bool early
 }
 
 }  // namespace
+
+DyadPair disturbed(const MotionProblem& scaled, const DyadPair& links, std::mt19937_64& random) {
+  constexpr double kLeast = 1e-3, kMost = 0.3;
+  const double share = std::exp(uniform(random, std::log(kLeast), std::log(kMost)));
+  const auto moved = [&](DyadRole role, GuidingDyad link) {
+    for (Vec2d* pivot : {&link.in_body, &link.fixed}) {
+      const double x = uniform(random, -1, 1), y = uniform(random, -1, 1);
+      *pivot = *pivot + (share * link.length) * Vec2d{x, y};
+    }
+    return conformed(scaled, role, link).dyad;
+  };
+  const GuidingDyad first = moved(DyadRole::first, links.first);
+  return {first, moved(DyadRole::second, links.second)};
+}
 
 MotionStarts::MotionStarts(const MotionProblem& scaled, const std::vector<std::size_t>& numbers,
                            std::uint64_t seed, const Deadline& deadline)

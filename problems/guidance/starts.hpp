@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,10 @@ struct MotionStart {
   std::string
       origin;  ///< "algebraic", "exact:five-poses:1,3,6,9,11" (numbers of the poses) or "search"
 };
+
+/// Two links, each pivot moved at random by up to a share of its link's length, from a thousandth
+/// to three tenths; within what the file gives and bounds.
+DyadPair disturbed(const MotionProblem& scaled, const DyadPair& links, std::mt19937_64& random);
 
 /// Starts, the most promising first: pairs of the dyads of least algebraic error; the nearest of
 /// those that pass exactly through five of the poses (all choices of five, or some hundreds of them
