@@ -3,9 +3,10 @@
 #include <cmath>
 #include <variant>
 
-#include "analysis/linkage/motion.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "app/report/report_data.hpp"
+#include "problems/chain_function/space.hpp"
+#include "problems/chain_function/verify.hpp"
 
 namespace cognate::app {
 namespace {
@@ -40,17 +41,14 @@ FunctionTrace function_trace(
   return trace;
 }
 
-FunctionTrace function_trace(const problems::FunctionProblem& problem,
-                             const problems::FunctionSamples& wanted,
+FunctionTrace function_trace(const problems::ChainFunctionProblem& problem,
                              const problems::Design& design) {
-  const auto &input_start = design.metrics.input_start, &output_start = design.metrics.output_start;
-  if (!input_start || !output_start || !design.mechanism.four_bar()) return {};
-  const double frame = frame_angle(four_bar(design)), start = frame + *input_start;
-  const Motion motion(four_bar(design));
-  const auto error_at = [&](const synthesis::AnglePair& pair) -> std::optional<double> {
-    const auto pose = motion.at(start + pair.input);
-    if (!pose) return std::nullopt;
-    return std::remainder(pose->rocker_angle - (frame + *output_start + pair.output), kTurn);
+  const auto wanted = problems::function_samples(problem);
+  const double start = *design.metrics.input_start;
+  const problems::ChainFunctionError error(problem, wanted, design.mechanism, start);
+  const auto error_at = [&](const synthesis::AnglePair& pair) {
+    const double here = error.at(pair);
+    return std::isfinite(here) ? std::optional(here) : std::nullopt;
   };
   return function_trace(std::get_if<problems::FunctionOfX>(&problem.target), wanted, start,
                         error_at);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "problems/chain_function/problem.hpp"
 #include "problems/function/problem.hpp"
 #include "problems/function/samples.hpp"
 #include "problems/linkage/result.hpp"
@@ -31,6 +32,10 @@ FunctionTrace function_trace(
 /// start angles.
 FunctionTrace function_trace(const problems::FunctionProblem& problem,
                              const problems::FunctionSamples& wanted,
+                             const problems::Design& design);
+
+/// The same of a longer chain than a four-bar.
+FunctionTrace function_trace(const problems::ChainFunctionProblem& problem,
                              const problems::Design& design);
 
 /// The trace as pages read it: `x`, null for angle pairs, `crank_deg` and `error_deg`; `error`

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/chain/chosen_targets.hpp"
 #include "problems/chain/crank_starts.hpp"
 #include "problems/chain/ordered_angles.hpp"
 #include "problems/chain/refine.hpp"
@@ -17,8 +16,7 @@
 namespace cognate::problems {
 namespace {
 
-constexpr int kPhasesInTurn = 24;          ///< from each of which that of a timed path is refined
-constexpr std::size_t kMostOrdered = 240;  ///< targets that are put in order step by step
+constexpr int kPhasesInTurn = 24;  ///< from each of which that of a timed path is refined
 /// A refinement moves each crank angle half of the way to its neighbours at most: it is repeated
 /// while the error falls by more than this share.
 constexpr double kSettled = 1e-12;
@@ -48,15 +46,7 @@ synthesis::ChainDesign given_dimensions(const Topology& topology) {
 std::vector<std::vector<double>> first_angles(const ScaledChain& problem,
                                               const synthesis::ChainDesign& design) {
   if (problem.timed()) return first_phases(problem, design, kPhasesInTurn);
-  std::vector<std::vector<double>> all;
-  const ChosenTargets chosen(problem, kMostOrdered);
-  ScaledChain coarse = problem;
-  coarse.points.clear();
-  for (const std::size_t which : chosen.which) coarse.points.push_back(problem.points[which]);
-  for (const auto& angles : ordered_angles(coarse, design)) {
-    all.push_back(chosen.at_all(problem, angles));
-  }
-  return all;
+  return ordered_angles(problem, design);
 }
 
 RefinedChain settled(const ScaledChain& problem, const synthesis::ChainDesign& design,

@@ -12,6 +12,7 @@
 #include "problems/chain/crank_starts.hpp"
 #include "problems/chain/given.hpp"
 #include "problems/chain_function/verify.hpp"
+#include "problems/linkage/verify.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -20,22 +21,51 @@ constexpr int kStartsInTurn = 360;
 constexpr int kStartsRefined = 4;
 constexpr int kStartSteps = 60;
 
+/// More than any error.
+constexpr double kBeyondLimits = 1e100;
+
 /// What is minimised, where the crank starts at an angle; infinite where the chain does not close.
 class StartError {
  public:
   StartError(const ChainFunctionProblem& problem, const FunctionSamples& wanted,
-             const NamedMechanism& mechanism)
-      : problem_(problem), wanted_(wanted), mechanism_(mechanism) {}
+             const Topology& topology)
+      : problem_(problem),
+        wanted_(wanted),
+        topology_(topology),
+        mechanism_(given_mechanism(topology)) {}
+
+  /// From now on by how much the transmission angle is beyond its limits, where it is.
+  void limit() { is_limited_ = true; }
 
   double operator()(double start) const {
     const auto error = function_error(problem_, wanted_, mechanism_, start);
-    return problem_.objective == FunctionObjective::minimax ? error.max : error.rms;
+    const double least = problem_.objective == FunctionObjective::minimax ? error.max : error.rms;
+    if (!is_limited_ || !std::isfinite(least)) return least;
+    const double beyond = beyond_limits(design(start));
+    return beyond > 0 ? kBeyondLimits * (1 + beyond) : least;
+  }
+
+  const Mechanism<double>& mechanism() const { return mechanism_.mechanism; }
+
+  Design design(double start) const {
+    return verified(problem_, wanted_, topology_, mechanism_, start);
+  }
+
+  /// By how much, in radians, the transmission angle is; what rounding leaves is not.
+  double beyond_limits(const Design& design) const {
+    const Range& limit = problem_.constraints.transmission_angle;
+    const Metrics& metrics = design.metrics;
+    const double most =
+        std::max(limit.min - metrics.transmission_min, metrics.transmission_max - limit.max);
+    return most <= kCheckTolerance ? 0 : most;
   }
 
  private:
   const ChainFunctionProblem& problem_;
   const FunctionSamples& wanted_;
-  const NamedMechanism& mechanism_;
+  const Topology& topology_;
+  NamedMechanism mechanism_;
+  bool is_limited_ = false;
 };
 
 /// Starts about one from which the error grows to either side.
@@ -66,15 +96,29 @@ void add_valleys(const StartError& error, const DriveRange& starts, std::vector<
 }
 
 /// The deepest of those from which the chain generates the whole function.
-std::vector<Valley> valleys_of(const StartError& error, const Mechanism<double>& mechanism,
-                               const Range& sweep) {
+std::vector<Valley> valleys_of(const StartError& error, const Range& sweep) {
   std::vector<Valley> valleys;
-  for (const DriveRange& starts : starts_within_ranges(mechanism, sweep.min, sweep.max)) {
+  for (const DriveRange& starts : starts_within_ranges(error.mechanism(), sweep.min, sweep.max)) {
     add_valleys(error, starts, valleys);
   }
   std::ranges::stable_sort(valleys, {}, &Valley::error);
   if (valleys.size() > kStartsRefined) valleys.resize(kStartsRefined);
   return valleys;
+}
+
+/// The start of the least error.
+std::optional<double> best_start(const StartError& error, const Range& sweep) {
+  std::optional<double> best;
+  double least = kInfinity;
+  for (const auto& [at, starts] : valleys_of(error, sweep)) {
+    const auto found = golden_section(error, starts.from, starts.to, kStartSteps);
+    for (const double start :
+         {found.middle(), found.from, found.to}) {  // beside a limit one of them
+      const double here = error(start);
+      if (here < least) std::tie(best, least) = std::pair(start, here);
+    }
+  }
+  return best;
 }
 
 }  // namespace
@@ -85,18 +129,15 @@ bool is_given(const ChainFunctionProblem& problem) {
 
 std::optional<Design> given_design(const ChainFunctionProblem& problem,
                                    const FunctionSamples& wanted) {
-  const Topology& topology = problem.topologies.front();
-  const NamedMechanism mechanism = given_mechanism(topology);
-  const StartError error(problem, wanted, mechanism);
-  double start = 0, least = kInfinity;
-  for (const auto& [at, starts] : valleys_of(error, mechanism.mechanism, wanted.sweep)) {
-    const auto found = golden_section(error, starts.from, starts.to, kStartSteps);
-    const double middle = found.middle();
-    const double here = error(middle);
-    if (here < least) std::tie(start, least) = std::pair(middle, here);
+  StartError error(problem, wanted, problem.topologies.front());
+  const auto start = best_start(error, wanted.sweep);
+  if (!start) return std::nullopt;
+  Design design = error.design(*start);
+  if (error.beyond_limits(design) > 0 && problem.constraints.over == LimitSpan::range) {
+    error.limit();
+    Design within = error.design(best_start(error, wanted.sweep).value_or(*start));
+    if (error.beyond_limits(within) == 0) design = std::move(within);
   }
-  if (!std::isfinite(least)) return std::nullopt;
-  Design design = verified(problem, wanted, topology, mechanism, start);
   design.origin = "given";
   return design;
 }

@@ -13,8 +13,9 @@ namespace cognate::problems {
 /// Whether `problem` is of one chain that the file gives whole.
 bool is_given(const ChainFunctionProblem& problem);
 
-/// The design of such a problem, its crank started where the error is least; empty where it cannot
-/// generate the whole function from anywhere.
+/// The design of such a problem, its crank started where the error is least, within the limits of
+/// the transmission angle if it can be; empty where it cannot generate the whole function from
+/// anywhere.
 std::optional<Design> given_design(const ChainFunctionProblem& problem,
                                    const FunctionSamples& wanted);
 

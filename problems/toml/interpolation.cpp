@@ -1,7 +1,6 @@
 #include "problems/toml/interpolation.hpp"
 
 #include <algorithm>
-#include <boost/math/interpolators/cubic_hermite.hpp>
 #include <cmath>
 #include <memory>
 
@@ -50,22 +49,51 @@ std::vector<double> slopes(const Samples& table) {
   return all;
 }
 
+// Cubics between neighbouring rows, by the values and slopes there.
+class Cubics {
+ public:
+  explicit Cubics(const Samples& table) : rows_(table), slopes_(slopes(table)) {}
+
+  double value(double x) const {
+    if (!(x > rows_.front().first)) return rows_.front().second;
+    if (!(x < rows_.back().first)) return rows_.back().second;
+    const auto [left, width, t] = place(x);
+    const double y0 = rows_[left].second, y1 = rows_[left + 1].second;
+    const double from_left = y0 * (1 + 2 * t) + slopes_[left] * width * t;
+    const double from_right = y1 * (3 - 2 * t) - slopes_[left + 1] * width * (1 - t);
+    return (1 - t) * (1 - t) * from_left + t * t * from_right;
+  }
+
+  double slope(double x) const {
+    if (x < rows_.front().first || x > rows_.back().first) return 0;
+    const auto [left, width, t] = place(x);
+    const double middle = 6 * t * (1 - t) * chord(rows_, left);
+    return middle + slopes_[left] * (1 - t) * (1 - 3 * t) - slopes_[left + 1] * t * (2 - 3 * t);
+  }
+
+ private:
+  struct Place {
+    std::size_t left;
+    double width, t;  // t: the share of the width that lies before it
+  };
+
+  Place place(double x) const {
+    const auto after = std::ranges::upper_bound(rows_, x, {}, &Samples::value_type::first);
+    const auto next = std::min(static_cast<std::size_t>(after - rows_.begin()), rows_.size() - 1);
+    const double interval = width(rows_, next - 1);
+    return {next - 1, interval, (x - rows_[next - 1].first) / interval};
+  }
+
+  Samples rows_;
+  std::vector<double> slopes_;
+};
+
 }  // namespace
 
 Interpolant interpolant(const Samples& table) {
-  std::vector<double> x;
-  std::vector<double> y;
-  for (const auto& [xi, yi] : table) {
-    x.push_back(xi);
-    y.push_back(yi);
-  }
-  using Cubic = boost::math::interpolators::cubic_hermite<std::vector<double>>;
-  const double first = x.front();
-  const double last = x.back();
-  const auto cubic = std::make_shared<const Cubic>(std::move(x), std::move(y), slopes(table));
-  // Outside its table the interpolator throws.
-  return {[=](double at) { return (*cubic)(std::clamp(at, first, last)); },
-          [=](double at) { return first <= at && at <= last ? cubic->prime(at) : 0.0; }};
+  const auto cubics = std::make_shared<const Cubics>(table);
+  return {[=](double at) { return cubics->value(at); },
+          [=](double at) { return cubics->slope(at); }};
 }
 
 std::function<double(double)> interpolate(const Samples& table) {

@@ -100,6 +100,18 @@ class Paths(unittest.TestCase):
         result = self.check_free(SIX_BAR, "transmission_angle_deg = [60, 120]")
         self.assertEqual(result["status"], "infeasible")
 
+    def test_no_worse_than_where_disturbed_points_came_from(self):
+        noise, worst = random.Random(11), 0
+        for _ in range(12):
+            angles = turn(noise.choice([24, 48, 90]), noise.uniform(0, 360))
+            share = noise.choice([1e-3, 1e-2, 3e-2])
+            planted = SIX_BAR.path("P", angles)
+            points = [at + share * complex(noise.gauss(0, 1), noise.gauss(0, 1)) for at in planted]
+            own = sum(abs(at - point) ** 2 for at, point in zip(planted, points))
+            (design,) = solved(path_file(points, SIX_BAR, 1.0, "closed = true"))["designs"]
+            worst = max(worst, design["error"]["sum_of_squares"] / own)
+        self.assertLess(worst, 1)
+
     def test_many_points(self):
         points = SIX_BAR.path("P", turn(2000))
         (design,) = solved(path_file(points, SIX_BAR, 1.0, "closed = true"))["designs"]
@@ -154,6 +166,25 @@ output = "C"
         own = math.radians(design["metrics"]["input_start_deg"])
         self.assertAlmostEqual(rms(own), design["error"]["rms"], delta=1e-9)
         self.assertLessEqual(rms(own), min(map(rms, turn(3600))) + 1e-9)
+
+    def test_the_start_within_limits_that_only_few_starts_meet(self):
+        turns = [math.radians(5) * i for i in range(13)]
+        pairs = [[math.degrees(angle), 0.9 * angle * angle] for angle in turns]
+        text = self.FILE % f"pairs = {toml(pairs)}"
+
+        def transmission(start):
+            return min(SLIDER_CRANK.transmission(SLIDER_CRANK.places(start + i * turns[-1] / 60)) for i in range(61))
+        best = max(turn(720), key=transmission)
+        best = max((best + math.radians(i) / 2000 for i in range(-1000, 1001)), key=transmission)
+        (free,) = solved(text)["designs"]
+        for slack in (0.1, 1e-3):
+            limit = transmission(best) - slack
+            limits = f"[constraints]\ntransmission_angle_deg = [{limit!r}, {180 - limit!r}]\n"
+            (design,) = solved(f"{text}\n{limits}")["designs"]
+            with self.subTest(slack=slack):
+                self.assertLess(free["metrics"]["transmission_angle_deg"]["min"], limit - 1)
+                self.assertGreater(transmission(math.radians(design["metrics"]["input_start_deg"])), limit - 1e-6)
+                self.assertGreater(design["error"]["rms"], free["error"]["rms"])
 
     def test_the_dwell_of_the_narrowest_band(self):
         dwell = "[[target.dwell]]\nover_deg = 60"

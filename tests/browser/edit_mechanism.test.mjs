@@ -27,6 +27,9 @@ const MECHANISMS = {
   "slider-crank path": ["chain/slider-crank-path", { "dyad.0.lengths.0": 1.03, "dyad.0.slide.direction_deg": 1.05 }, "C"],
   "timed arc of a six-bar": ["chain/timed-arc", { "pivot.1.at.0": 1.01 }, "P"],
   "six-bar with given dimensions": ["chain/partly-fixed", { "dyad.1.lengths.1": 0.98 }, "P"],
+  "six-bar function": ["chain-function/six-bar-logarithm", { "dyad.1.lengths.0": 1.01, "point.0.at.0": 1.005 }, "C"],
+  "function of a slider": ["chain-function/ram-at-constant-speed", { "crank.length": 1.02, "dyad.1.slide.offset": 1.1 }, "C"],
+  "minimax function of a slider-crank": ["chain-function/slider-crank-square", { "crank.length": 1.01, "dyad.0.lengths.0": 0.99 }, "C"],
   "six-bar with a dwell": ["dwell/six-bar-dwell", { "dyad.0.lengths.1": 1.01 }, "F"],
 };
 
@@ -66,10 +69,21 @@ function solved(text) {
   return designs[0];
 }
 
+// The designs of a file that was reported.
+const designsOf = (name) => JSON.parse(fs.readFileSync(path.join(folder, `${name.replaceAll(" ", "-")}.result.json`))).designs;
+
 const flat = (table, above = "") => Object.entries(table).flatMap(([key, part]) => (part !== null && typeof part === "object" && !Array.isArray(part) ? flat(part, `${above}${key}.`) : [[above + key, part]]));
 
-// Rows of the panel as they are now, by their names.
-const rowsOf = (page) => page.locator("#edit-values tr").evaluateAll((rows) => rows.map((row) => [row.dataset.row, JSON.parse(row.cells[2].dataset.value)]));
+// Rows of the panel as they are now, or were before, by their names.
+const NOW = 2, BEFORE = 1;
+const rowsOf = (page, cell = NOW) => page.locator("#edit-values tr").evaluateAll((rows, which) => rows.map((row) => [row.dataset.row, JSON.parse(row.cells[which].dataset.value)]), cell);
+
+// What is minimised, the mean or the largest error, is not greater than that of the design found: where the crank is, is found anew.
+function assertNotWorse(rows, { error }) {
+  const shown = Object.fromEntries(rows);
+  const isKept = ([key, value]) => shown[key] <= value * (1 + 1e-6) + 1e-9;
+  assert.ok([["error.rms", error.rms_deg ?? error.rms], ["error.max", error.max_deg ?? error.max]].some(isKept), JSON.stringify([shown, error]));
+}
 
 function sameRows(rows, { error, metrics }) {
   const wanted = new Map([...flat(metrics), ["error.max", error.max_deg ?? error.max], ["error.rms", error.rms_deg ?? error.rms], ["error.sum", error.sum_of_squares]]);
@@ -84,6 +98,7 @@ function sameRows(rows, { error, metrics }) {
 for (const [name, [file, factors, joint]] of some(Object.entries(MECHANISMS))) {
   test(`${name}: every figure of an edited design is the program's, and comes back`, () => opened(name, file, {}, async (page) => {
     await edit(page);
+    assertNotWorse(await rowsOf(page, BEFORE), designsOf(name)[0]);
     const first = await toldBy(page), rows = await rowsOf(page);
     await scale(page, factors);
     await drag(page, joint, [5, 4]);

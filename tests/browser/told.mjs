@@ -21,11 +21,17 @@ export const textsOf = (page, ids) => page.evaluate((names) => Object.fromEntrie
   return [id, all.filter(Boolean).join(" ")];
 })), ids);
 
-// Words are the same, and numbers to what is left by rounding twice: pages of the program have seven digits. `least`: what is left of
-// numbers near zero.
+// What the last decimal of a text stands for; 0 where it has none.
+const lastDecimal = (text) => (text.includes(".") ? 10 ** (text.indexOf(".") + 1 - text.length) : 0);
+
+// Words are the same, and numbers to what is left by rounding twice: pages of the program have seven digits, and the last decimal
+// shown may be rounded to either side. `least`: what is left of numbers near zero.
 const PARTS = /-?\d+(?:\.\d+)?/g;
 export function sameTold(shown, wanted, what, least = 0.11) {
   assert.equal(shown.replace(PARTS, "#"), wanted.replace(PARTS, "#"), `${what}: words`);
-  const [numbers, others] = [shown.match(PARTS) ?? [], wanted.match(PARTS) ?? []].map((list) => list.map(Number));
-  numbers.forEach((x, i) => assert.ok(Math.abs(x - others[i]) <= least || Math.abs(x - others[i]) <= 2e-5 * Math.abs(others[i]), `${what}: ${x} and ${others[i]}`));
+  const [numbers, others] = [shown.match(PARTS) ?? [], wanted.match(PARTS) ?? []];
+  numbers.forEach((text, i) => {
+    const [x, other] = [Number(text), Number(others[i])], unit = 1.01 * Math.max(lastDecimal(text), lastDecimal(others[i]));
+    assert.ok(Math.abs(x - other) <= Math.max(least, unit, 2e-5 * Math.abs(other)), `${what}: ${x} and ${other}`);
+  });
 }

@@ -2,13 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-#include <optional>
-
 #include "app/console/messages.hpp"
 #include "app/report/function_trace.hpp"
 #include "problems/chain_function/space.hpp"
-#include "problems/chain_function/verify.hpp"
 
 namespace cognate::app {
 namespace {
@@ -78,16 +74,7 @@ nlohmann::ordered_json Kind<ChainFunctionProblem>::target_json(
 
 nlohmann::ordered_json Kind<ChainFunctionProblem>::reached_json(const ChainFunctionProblem& problem,
                                                                 const problems::Design& design) {
-  const auto wanted = problems::function_samples(problem);
-  const double start = *design.metrics.input_start;
-  const problems::ChainFunctionError error(problem, wanted, design.mechanism, start);
-  const auto error_at = [&](const synthesis::AnglePair& pair) {
-    const double here = error.at(pair);
-    return std::isfinite(here) ? std::optional(here) : std::nullopt;
-  };
-  const auto* function = std::get_if<problems::FunctionOfX>(&problem.target);
-  const FunctionTrace trace = function_trace(function, wanted, start, error_at);
-  return {{"trace", trace_json(trace, problems::slides(problem))}};
+  return {{"trace", trace_json(function_trace(problem, design), problems::slides(problem))}};
 }
 
 }  // namespace cognate::app

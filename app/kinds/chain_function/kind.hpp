@@ -17,6 +17,7 @@ struct Kind<problems::ChainFunctionProblem> : LinkageKind<problems::ChainFunctio
   static std::span<const Entry> keys();
   static std::string describe(const problems::ChainFunctionProblem& problem);
   static ColumnChoice columns(const problems::ChainFunctionProblem& problem);
+  static bool edits(const problems::ChainFunctionProblem& /*problem*/) { return true; }
   static nlohmann::ordered_json target_json(const problems::ChainFunctionProblem& problem);
   static nlohmann::ordered_json reached_json(const problems::ChainFunctionProblem& problem,
                                              const problems::Design& design);

@@ -6,9 +6,13 @@ cognate_page_kernel(design_kernel ${problem_reader} ${mechanism_evaluator} ${ana
   app/documents/result_json.cpp
   app/drawing/design_motion.cpp
   app/report/design_drawing.cpp
+  app/report/function_trace.cpp
   app/report/guided_body.cpp
   app/report/kernel/design_left_out.cpp
   app/report/kernel/designs.cpp
+  app/report/kernel/expressions.cpp
+  app/report/kernel/formula.cpp
+  app/report/kernel/throws.cpp
   problems/chain/chosen_targets.cpp
   problems/chain/cosine_scan.cpp
   problems/chain/crank_starts.cpp
@@ -31,9 +35,22 @@ cognate_page_kernel(design_kernel ${problem_reader} ${mechanism_evaluator} ${ana
   problems/chain/topology.cpp
   problems/chain/verify.cpp
   problems/chain/wanted_points.cpp
+  problems/chain_function/given.cpp
+  problems/chain_function/read.cpp
+  problems/chain_function/space.cpp
+  problems/chain_function/verify.cpp
   problems/dwell/given.cpp
   problems/dwell/read.cpp
   problems/dwell/verify.cpp
+  problems/function/error_peaks.cpp
+  problems/function/names.cpp
+  problems/function/read_goal.cpp
+  problems/function/read_target.cpp
+  problems/function/samples.cpp
+  problems/function/target/derivatives.cpp
+  problems/function/target/fast_places.cpp
+  problems/function/target/jumps.cpp
+  problems/function/target/poles.cpp
   problems/linkage/constraint_checks.cpp
   problems/linkage/constraint_words.cpp
   problems/linkage/drive_span.cpp
@@ -44,8 +61,12 @@ cognate_page_kernel(design_kernel ${problem_reader} ${mechanism_evaluator} ${ana
   problems/mechanism/dimensions.cpp
   problems/mechanism/write_mechanism.cpp
   problems/path/names.cpp
+  problems/search/read_objectives.cpp
+  problems/toml/derivative.cpp
+  problems/toml/interpolation.cpp
   problems/toml/table_writer.cpp
   synthesis/chain/bodies.cpp
+  synthesis/exact/chebyshev.cpp
   synthesis/optimise/gauss_newton.cpp
   synthesis/optimise/loss.cpp
   synthesis/optimise/model.cpp

@@ -7,11 +7,14 @@
 
 #include "app/documents/result_json.hpp"
 #include "app/report/design_drawing.hpp"
+#include "app/report/function_trace.hpp"
 #include "app/report/kernel/answer.hpp"
 #include "app/report/kernel/document.hpp"
 #include "app/report/kernel/numbers.hpp"
 #include "app/report/kernel/problem_of.hpp"
 #include "problems/chain/given.hpp"
+#include "problems/chain_function/given.hpp"
+#include "problems/chain_function/space.hpp"
 #include "problems/dwell/given.hpp"
 #include "problems/linkage/warnings.hpp"
 
@@ -19,9 +22,20 @@ namespace cognate::page {
 namespace {
 
 using nlohmann::ordered_json;
+using problems::ChainFunctionProblem;
 using problems::ChainPathProblem;
 using problems::Design;
 using problems::DwellProblem;
+
+/// The design of a problem of which all dimensions are given.
+template <class Problem>
+std::optional<Design> given(const Problem& problem) {
+  return problems::given_design(problem);
+}
+
+std::optional<Design> given(const ChainFunctionProblem& problem) {
+  return problems::given_design(problem, problems::function_samples(problem));
+}
 
 /// What a design has at its targets.
 ordered_json reached_of(const ChainPathProblem& problem, const Design& design) {
@@ -34,11 +48,16 @@ ordered_json reached_of(const DwellProblem& /*problem*/, const Design& design) {
   return app::reached_points(design);
 }
 
+ordered_json reached_of(const ChainFunctionProblem& problem, const Design& design) {
+  return {{"trace", app::trace_json(app::function_trace(problem, design), slides(problem))}};
+}
+
 std::optional<problems::TargetExtent> size_of(const ChainPathProblem& problem) {
   return problems::extent_of(problem.points);
 }
 
-std::optional<problems::TargetExtent> size_of(const DwellProblem& /*problem*/) {
+template <class Problem>
+std::optional<problems::TargetExtent> size_of(const Problem& /*problem*/) {
   return std::nullopt;
 }
 
@@ -46,7 +65,8 @@ bool has_angles(const ChainPathProblem& /*problem*/) {
   return false;
 }
 
-bool has_angles(const DwellProblem& problem) {
+template <class Problem>
+bool has_angles(const Problem& problem) {
   return !slides(problem);
 }
 
@@ -54,7 +74,7 @@ bool has_angles(const DwellProblem& problem) {
 template <class Problem>
 ordered_json answer_of(const Problem& problem) {
   problems::Result result;
-  if (auto design = problems::given_design(problem)) result.designs.push_back(*std::move(design));
+  if (auto design = given(problem)) result.designs.push_back(*std::move(design));
   if (result.designs.empty()) return nullptr;
   problems::add_warnings(size_of(problem), problem.warnings, result);
   const Design& design = result.designs.front();
@@ -79,8 +99,12 @@ COGNATE_EXPORT(design) int design_text() {
   problems::reading::FaultList none;
   const auto document = document_of(question());
   problems::reading::TableReader reader(document, none);
-  const bool is_path = reader.text("kind") == problems::KindTraits<ChainPathProblem>::kWord;
-  return is_path ? answer_to<ChainPathProblem>(document) : answer_to<DwellProblem>(document);
+  if (reader.text("kind") == problems::KindTraits<ChainPathProblem>::kWord) {
+    return answer_to<ChainPathProblem>(document);
+  }
+  const bool is_function = problems::KindTraits<ChainFunctionProblem>::takes(reader);
+  return is_function ? answer_to<ChainFunctionProblem>(document)
+                     : answer_to<DwellProblem>(document);
 }
 
 }  // namespace cognate::page

@@ -3,32 +3,13 @@
 /// reader of functions that are designed, but for its words.
 #include <fmt/core.h>
 
-#include <boost/throw_exception.hpp>
 #include <cmath>
-#include <cstddef>
 
 #include "problems/function/read_target.hpp"
 #include "problems/machine/problem.hpp"
 #include "problems/toml/file_text.hpp"
 #include "problems/toml/text_check.hpp"
 #include "problems/train/problem.hpp"
-
-/// Where Boost finds a fault the module stops, which the page sees as an error of the call.
-void boost::throw_exception(const std::exception& /*fault*/, const source_location& /*where*/) {
-  __builtin_trap();
-}
-
-// What its headers throw ends the call, too.
-extern "C" {
-// NOLINTBEGIN(*-reserved-identifier)
-void* __cxa_allocate_exception(std::size_t /*size*/) noexcept {
-  __builtin_trap();
-}
-[[noreturn]] void __cxa_throw(void* /*thrown*/, void* /*type*/, void (* /*destroy*/)(void*)) {
-  __builtin_trap();
-}
-// NOLINTEND(*-reserved-identifier)
-}
 
 namespace cognate::problems {
 

@@ -23,6 +23,7 @@ import { mechanismJoints, problemFields } from "./problem_model.js";
 import { defectsRow } from "./rows.js";
 
 const MECHANISM_KERNEL = "mechanism-kernel";
+const KINDS = ["path-generation", "function-generation"];
 
 // Of metrics those that stand in rows of the panel: what it is called does not change.
 const UNCHANGED = /^(topology|change_point)$/;
@@ -32,9 +33,8 @@ export class MechanismEditor {
   constructor(page, found) { Object.assign(this, { page, found }); }
 
   // Whether the designs of a problem can be edited: those of a raster are on it, and may move their target.
-  static edits({ kind, target, raster }, { assembles, entry: { mechanism } }) {
-    const isKnown = kind === "path-generation" || target?.dwell !== undefined;
-    return isKnown && assembles && mechanism.type === "chain" && !raster && embedded(MECHANISM_KERNEL).trim() !== "";
+  static edits({ kind, raster }, { assembles, entry: { mechanism } }) {
+    return KINDS.includes(kind) && assembles && mechanism.type === "chain" && !raster && embedded(MECHANISM_KERNEL).trim() !== "";
   }
 
   get open() { return this.panel !== undefined; }
