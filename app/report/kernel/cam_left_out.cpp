@@ -1,18 +1,11 @@
 /// @file What the kernel of the pages leaves out of cams: searches, which have nothing to find
 /// where all is given, and tolerances, which take longer than an edit may.
-#include <boost/throw_exception.hpp>
-
 #include "problems/cam/raster.hpp"
 #include "problems/cam/read_raster.hpp"
 #include "problems/cam/read_tolerances.hpp"
 #include "problems/cam/search.hpp"
 #include "problems/cam/tolerance_figures.hpp"
 #include "problems/tolerance/read.hpp"
-
-/// Where Boost finds a fault the module stops, which the page sees as an error of the call.
-void boost::throw_exception(const std::exception& /*fault*/, const source_location& /*where*/) {
-  __builtin_trap();
-}
 
 namespace cognate::problems {
 
@@ -22,11 +15,13 @@ tl::expected<CamProblem, std::vector<std::string>> KindTraits<CamProblem>::check
   return problem;
 }
 
+// NOLINTBEGIN(performance-unnecessary-value-param): as it is declared
 std::optional<CamCandidate> search_cam(const CamVariables& /*variables*/,
                                        std::vector<double> /*start*/, synthesis::Solver /*solver*/,
                                        const Deadline& /*deadline*/, Work& /*work*/) {
   return std::nullopt;
 }
+// NOLINTEND(performance-unnecessary-value-param)
 
 void reading::read_cam_raster(TableReader& /*document*/, CamProblem& /*problem*/) {}
 

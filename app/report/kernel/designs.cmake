@@ -12,7 +12,6 @@ cognate_page_kernel(design_kernel ${problem_reader} ${mechanism_evaluator} ${ana
   app/report/kernel/designs.cpp
   app/report/kernel/expressions.cpp
   app/report/kernel/formula.cpp
-  app/report/kernel/throws.cpp
   problems/chain/chosen_targets.cpp
   problems/chain/cosine_scan.cpp
   problems/chain/crank_starts.cpp

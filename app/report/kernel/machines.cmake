@@ -26,7 +26,6 @@ cognate_page_kernel(machine_kernel ${problem_reader} ${mechanism_evaluator}
   app/report/kernel/long_integers.cpp
   app/report/kernel/machine_left_out.cpp
   app/report/kernel/machines.cpp
-  app/report/kernel/throws.cpp
   app/report/machine_report_data.cpp
   problems/evaluation/whole_motion.cpp
   problems/function/target/jumps.cpp

@@ -1,7 +1,8 @@
-/// @file What the C++ library asks of its surroundings. A page has no output and nothing to catch
-/// an exception with: where memory ends, or the library finds a fault, the module stops, which the
-/// page sees as an error of the call.
+/// @file What the C++ library and others ask of their surroundings. A page has no output and
+/// nothing to catch an exception with: where memory ends, or a library finds a fault or throws, the
+/// module stops, which the page sees as an error of the call.
 #include <__verbose_abort>
+#include <boost/throw_exception.hpp>
 #include <chrono>
 #include <cstddef>
 #include <cstdlib>
@@ -35,6 +36,18 @@ void operator delete[](void* room, std::size_t) noexcept {
 }
 
 void std::__libcpp_verbose_abort(const char*, ...) {
+  __builtin_trap();
+}
+
+void boost::throw_exception(const std::exception&, const source_location&) {
+  __builtin_trap();
+}
+
+extern "C" void* __cxa_allocate_exception(std::size_t) noexcept {
+  __builtin_trap();
+}
+
+extern "C" [[noreturn]] void __cxa_throw(void*, void*, void (*)(void*)) {
   __builtin_trap();
 }
 

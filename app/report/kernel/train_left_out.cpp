@@ -1,14 +1,7 @@
 /// @file What the kernel of the pages leaves out of gear trains: that a problem is sound, which its
 /// reader has just seen, and the search, which has nothing to find where all is given.
-#include <boost/throw_exception.hpp>
-
 #include "problems/train/problem.hpp"
 #include "problems/train/search.hpp"
-
-/// Where Boost finds a fault the module stops, which the page sees as an error of the call.
-void boost::throw_exception(const std::exception& /*fault*/, const source_location& /*where*/) {
-  __builtin_trap();
-}
 
 namespace cognate::problems {
 
