@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/chain/crank_starts.hpp"
-#include "problems/chain/ordered_angles.hpp"
+#include "problems/chain/crank_angles/in_order.hpp"
+#include "problems/chain/crank_angles/starts.hpp"
 #include "problems/chain/refine.hpp"
 #include "problems/chain/scaled.hpp"
 #include "problems/chain/verify.hpp"

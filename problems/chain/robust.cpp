@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/chain/crank_angles/in_order.hpp"
 #include "problems/chain/model.hpp"
-#include "problems/chain/ordered_angles.hpp"
 #include "problems/chain/refine.hpp"
 #include "problems/tolerance/dimensions.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/golden_section.hpp"
-#include "problems/chain/crank_starts.hpp"
+#include "problems/chain/crank_angles/starts.hpp"
 #include "problems/chain/given.hpp"
 #include "problems/chain_function/verify.hpp"
 #include "problems/linkage/verify.hpp"
@@ -112,8 +112,8 @@ std::optional<double> best_start(const StartError& error, const Range& sweep) {
   double least = kInfinity;
   for (const auto& [at, starts] : valleys_of(error, sweep)) {
     const auto found = golden_section(error, starts.from, starts.to, kStartSteps);
-    for (const double start :
-         {found.middle(), found.from, found.to}) {  // beside a limit one of them
+    // Where it ends beside a limit not all of these are within it.
+    for (const double start : {found.middle(), found.from, found.to}) {
       const double here = error(start);
       if (here < least) std::tie(best, least) = std::pair(start, here);
     }

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 #include <random>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -54,13 +55,14 @@ std::vector<MotionProblem> relaxations(const MotionProblem& problem) {
     if (drop(without)) relaxed.push_back(std::move(without));
     drop(free);
   };
-  const bool is_open = !problem.constraints.required_class;
-  if (is_open && problem.constraints.transmission_angle) relaxed.push_back(problem);
   relax(drop_class);
   relax(drop_transmission);
   relax(drop_places);
   relax(drop_lengths);
   if (relaxed.size() > 1) relaxed.push_back(std::move(free));
+  const auto& [required, transmission] =
+      std::tie(problem.constraints.required_class, problem.constraints.transmission_angle);
+  if (transmission && !required) relaxed.push_back(problem);
   return relaxed;
 }
 

@@ -17,8 +17,6 @@
 namespace cognate::problems::reading {
 namespace {
 
-constexpr std::string_view kX[] = {"x"};
-
 constexpr std::string_view kNames =
     "the constants pi and e, and the functions sin, cos, tan, asin, acos, atan, "
     "atan2, sinh, cosh, tanh, asinh, acosh, atanh, exp, log and ln (natural), log2, log10, sqrt, "
@@ -142,15 +140,6 @@ tl::expected<ParsedExpression, ExpressionError> parse_expression(
     return tl::unexpected(
         ExpressionError{std::min(position, text.size()), message_of(error, named)});
   }
-}
-
-tl::expected<std::function<double(double)>, ExpressionError> parse_expression(
-    const std::string& text) {
-  return parse_expression(text, kX).map([](ParsedExpression parsed) {
-    return std::function<double(double)>([value = std::move(parsed.value)](double x) {
-      return value({&x, 1});
-    });
-  });
 }
 
 tl::expected<double, ExpressionError> evaluate_expression(const std::string& text) {

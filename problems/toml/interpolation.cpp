@@ -49,7 +49,8 @@ std::vector<double> slopes(const Samples& table) {
   return all;
 }
 
-// Cubics between neighbouring rows, by the values and slopes there.
+// Cubics between neighbouring rows, by the values and slopes there. Boost's write their faults to
+// streams, which pages, where tables are read too, do not have.
 class Cubics {
  public:
   explicit Cubics(const Samples& table) : rows_(table), slopes_(slopes(table)) {}

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/interpolators/cubic_hermite.hpp>
 #include <cmath>
 #include <limits>
 #include <random>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/names.hpp"
@@ -92,6 +95,32 @@ TEST(InterpolationTest, KeepsMonotoneDataMonotone) {
     for (int i = 1; i <= 500; ++i) {
       const double before = f(last * (i - 1) / 500);
       EXPECT_GE(f(last * i / 500) - before, -1e-12 * (1 + std::abs(before))) << "trial " << trial;
+    }
+  }
+}
+
+TEST(InterpolationTest, IsTheCubicOfItsSlopes) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> step(0.01, 1), rise(-1, 1);
+  for (int trial = 0; trial < 100; ++trial) {
+    std::vector<std::pair<double, double>> table = {{-1, 2}};
+    for (int row = 0; row < 2 + trial % 9; ++row) {
+      table.emplace_back(table.back().first + step(random), table.back().second + rise(random));
+    }
+    const auto f = interpolant(table);
+    std::vector<double> x, y, slopes;
+    for (const auto& [xi, yi] : table) {
+      x.push_back(xi);
+      y.push_back(yi);
+      slopes.push_back(f.slope(xi));
+    }
+    const double first = x.front(), last = x.back();
+    const boost::math::interpolators::cubic_hermite known(std::move(x), std::move(y),
+                                                          std::move(slopes));
+    for (int i = 0; i <= 97; ++i) {
+      const double at = std::lerp(first, last, i / 97.0);
+      EXPECT_NEAR(f.value(at), known(at), 1e-13) << "trial " << trial;
+      EXPECT_NEAR(f.slope(at), known.prime(at), 1e-11) << "trial " << trial;
     }
   }
 }

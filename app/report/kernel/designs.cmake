@@ -14,13 +14,13 @@ cognate_page_kernel(design_kernel ${problem_reader} ${mechanism_evaluator} ${ana
   app/report/kernel/formula.cpp
   problems/chain/chosen_targets.cpp
   problems/chain/cosine_scan.cpp
-  problems/chain/crank_starts.cpp
+  problems/chain/crank_angles/in_order.cpp
+  problems/chain/crank_angles/starts.cpp
   problems/chain/free_chain.cpp
   problems/chain/given.cpp
   problems/chain/known_topologies.cpp
   problems/chain/model.cpp
   problems/chain/names.cpp
-  problems/chain/ordered_angles.cpp
   problems/chain/output/space.cpp
   problems/chain/places.cpp
   problems/chain/read.cpp
@@ -62,6 +62,7 @@ cognate_page_kernel(design_kernel ${problem_reader} ${mechanism_evaluator} ${ana
   problems/path/names.cpp
   problems/search/read_objectives.cpp
   problems/toml/derivative.cpp
+  problems/toml/expression_of_x.cpp
   problems/toml/interpolation.cpp
   problems/toml/table_writer.cpp
   synthesis/chain/bodies.cpp

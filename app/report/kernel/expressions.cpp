@@ -12,11 +12,3 @@ cognate::problems::reading::parse_expression(const std::string& text,
   for (std::size_t i = 0; i < variables.size(); ++i) parsed.uses.push_back(formula->uses(i));
   return parsed;
 }
-
-tl::expected<std::function<double(double)>, cognate::problems::reading::ExpressionError>
-cognate::problems::reading::parse_expression(const std::string& text) {
-  constexpr std::string_view kX[] = {"x"};
-  return parse_expression(text, kX).map([](const ParsedExpression& parsed) {
-    return [value = parsed.value](double x) { return value(std::span(&x, 1)); };
-  });
-}

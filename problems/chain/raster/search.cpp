@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "analysis/numbers/angle.hpp"
-#include "problems/chain/crank_starts.hpp"
-#include "problems/chain/ordered_angles.hpp"
+#include "problems/chain/crank_angles/in_order.hpp"
+#include "problems/chain/crank_angles/starts.hpp"
 #include "problems/chain/placed_fit.hpp"
 #include "problems/chain/placed_starts.hpp"
 #include "problems/chain/raster/axes.hpp"

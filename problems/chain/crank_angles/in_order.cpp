@@ -1,4 +1,4 @@
-#include "problems/chain/ordered_angles.hpp"
+#include "problems/chain/crank_angles/in_order.hpp"
 
 #include <algorithm>
 #include <array>

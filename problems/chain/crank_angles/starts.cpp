@@ -1,4 +1,4 @@
-#include "problems/chain/crank_starts.hpp"
+#include "problems/chain/crank_angles/starts.hpp"
 
 #include <algorithm>
 #include <cmath>
