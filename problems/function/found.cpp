@@ -122,6 +122,7 @@ void FunctionRefiner::refine_once(FunctionFound& found, const FunctionSamples& w
   const synthesis::Solution solution = solve_by_loss(
       solver, model, asked.loss, asked.loss_scale, 1, model.variables_of(found.generator),
       synthesis::until(deadline_, {.tolerance = asked.tolerance.value_or(kDefaultTolerance),
+                                   .feasibility = 0.1 * kFunctionFeasibility,
                                    .max_iterations = iterations,
                                    .seed = run_.seed}));
   solved_.count(solution, wanted.samples.size());

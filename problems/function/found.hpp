@@ -14,8 +14,9 @@
 
 namespace cognate::problems {
 
-/// Violations up to this count as none.
-inline constexpr double kFunctionFeasibility = 1e-9;
+/// Violations of a model's constraints up to this count as none: less than the checks of a design
+/// allow, which are relative to its own links. Refinements go to a tenth.
+inline constexpr double kFunctionFeasibility = 1e-10;
 
 /// The problem as it stands and with each class whose crank turns fully.
 class ConfinedFunctions {

@@ -131,7 +131,7 @@ class MotionSearch {
  private:
   synthesis::Options options(int iterations, double tolerance) const {
     return synthesis::until(deadline_, {.tolerance = tolerance,
-                                        .feasibility = kMotionFeasibility,
+                                        .feasibility = 0.1 * kMotionFeasibility,
                                         .max_iterations = iterations,
                                         .seed = run_.seed});
   }

@@ -10,8 +10,9 @@
 
 namespace cognate::problems {
 
-/// Violations of a model's constraints up to this count as none.
-inline constexpr double kMotionFeasibility = 1e-9;
+/// Violations of a model's constraints up to this count as none: less than the checks of a design
+/// allow, which are relative to its own links. Refinements go to a tenth.
+inline constexpr double kMotionFeasibility = 1e-10;
 
 /// A start, or what has been made of it.
 struct MotionFound {

@@ -6,6 +6,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/parallel.hpp"
 #include "problems/chain/found_designs.hpp"
+#include "problems/leg/given.hpp"
 #include "problems/leg/search.hpp"
 #include "problems/leg/starts.hpp"
 #include "problems/leg/verify.hpp"
@@ -44,11 +45,29 @@ std::vector<Design> designs_of_legs(const LegProblem& problem,
   return feasible_or_all(std::move(designs), problem.solve.designs);
 }
 
-std::string nothing_found(const std::vector<LegSpace>& spaces, bool closes) {
-  const auto is_given = [](const LegSpace& space) { return space.free.empty(); };
-  if (std::ranges::all_of(spaces, is_given)) {
-    return "All dimensions are given, and this leg is not assembled over the whole turn within the "
-           "limits; change or leave out dimensions, or widen the limits.";
+/// The leg that the file gives.
+Result take_given(const LegProblem& problem, const Deadline& deadline) {
+  Result result;
+  if (auto design = given_design(problem)) result.designs.push_back(*std::move(design));
+  result.status = status_of(result.designs, deadline);
+  return result;
+}
+
+/// The legs that the search finds; `closes`: whether one has been assembled over the whole turn.
+Result find_legs(const LegProblem& problem, const std::vector<LegSpace>& spaces, const Run& run,
+                 const Deadline& deadline, bool& closes) {
+  Result result;
+  const LegSearchResult found = search_legs(spaces, problem.solve, run, deadline, result.work);
+  closes = closes || found.closes;
+  result.quantities = quantities(found.statistics);
+  result.designs = designs_of_legs(problem, found.designs);
+  result.status = status_of(result.designs, deadline);
+  return result;
+}
+
+std::string nothing_found(const LegProblem& problem, bool closes) {
+  if (is_given(problem)) {
+    return "The leg given is not assembled over the whole turn; change its dimensions.";
   }
   if (!closes) {
     return "No start led to a leg that is assembled over the whole turn; change the dimensions "
@@ -95,19 +114,14 @@ Result solve(const LegProblem& given, const Run& run) {
   std::vector<LegSpace> spaces;
   for (const Topology& topology : problem.topologies) spaces.emplace_back(problem, topology);
   bool closes = false;
-  Result result = solve_in_layers(
-      problem, run, DesignSource::search, [&](const LegProblem& one, const Run& own) {
-        Result legs;
-        const LegSearchResult found = search_legs(spaces, one.solve, own, deadline, legs.work);
-        closes = closes || found.closes;
-        legs.quantities = quantities(found.statistics);
-        legs.designs = designs_of_legs(one, found.designs);
-        legs.status = status_of(legs.designs, deadline);
-        return legs;
-      });
+  const auto source = is_given(problem) ? DesignSource::exact : DesignSource::search;
+  Result result = solve_in_layers(problem, run, source, [&](const LegProblem& one, const Run& own) {
+    return is_given(one) ? take_given(one, deadline)
+                         : find_legs(one, spaces, own, deadline, closes);
+  });
   add_warnings(std::nullopt, problem.warnings, result);
   if (result.designs.empty()) {
-    result.notes.push_back(nothing_found(spaces, closes));
+    result.notes.push_back(nothing_found(problem, closes));
   }
   add_tolerances(
       problem.tolerances, problem.length_unit, run,

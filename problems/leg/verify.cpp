@@ -43,9 +43,7 @@ void check_gait(const LegProblem& problem, const Gait& gait, Design& design) {
 
 void measure_gait(const LegProblem& problem, const Topology& topology,
                   const NamedMechanism& mechanism, double duty, Design& design) {
-  const auto& name = topology.lines[static_cast<std::size_t>(topology.trace)].name;
-  const auto foot = std::ranges::find(mechanism.points, name, &NamedPoint::name);
-  const auto found = gait(mechanism.mechanism, foot->at, duty);
+  const auto found = foot_gait(topology, mechanism, duty);
   if (!found) {
     constexpr double kNone = std::numeric_limits<double>::infinity();
     design.error = {kNone, kNone, kNone};
@@ -58,6 +56,13 @@ void measure_gait(const LegProblem& problem, const Topology& topology,
 }
 
 }  // namespace
+
+std::optional<Gait> foot_gait(const Topology& topology, const NamedMechanism& mechanism,
+                              double duty) {
+  const auto& name = topology.lines[static_cast<std::size_t>(topology.trace)].name;
+  const auto foot = std::ranges::find(mechanism.points, name, &NamedPoint::name);
+  return gait(mechanism.mechanism, foot->at, duty);
+}
 
 Design verified(const LegProblem& problem, const Topology& topology, NamedMechanism mechanism,
                 double duty) {

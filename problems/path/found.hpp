@@ -13,8 +13,9 @@
 
 namespace cognate::problems {
 
-/// Violations up to this count as none.
-inline constexpr double kPathFeasibility = 1e-9;
+/// Violations of a model's constraints up to this count as none: less than the checks of a design
+/// allow, which are relative to its own links. Refinements go to a tenth.
+inline constexpr double kPathFeasibility = 1e-10;
 
 /// Of several designs whose costs differ by less, relative, most lie in one valley.
 inline constexpr double kOneValley = 0.01;

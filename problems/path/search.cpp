@@ -122,7 +122,7 @@ int finishing_iterations(std::size_t points) {
 synthesis::Options options(const Deadline& deadline, int iterations, double tolerance,
                            std::uint64_t seed) {
   return synthesis::until(deadline, {.tolerance = tolerance,
-                                     .feasibility = kPathFeasibility,
+                                     .feasibility = 0.1 * kPathFeasibility,
                                      .max_iterations = iterations,
                                      .seed = seed});
 }

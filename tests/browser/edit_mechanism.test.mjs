@@ -31,6 +31,8 @@ const MECHANISMS = {
   "function of a slider": ["chain-function/ram-at-constant-speed", { "crank.length": 1.02, "dyad.1.slide.offset": 1.1 }, "C"],
   "minimax function of a slider-crank": ["chain-function/slider-crank-square", { "crank.length": 1.01, "dyad.0.lengths.0": 0.99 }, "C"],
   "six-bar with a dwell": ["dwell/six-bar-dwell", { "dyad.0.lengths.1": 1.01 }, "F"],
+  "leg with its flattest stance": ["leg/klann", { "crank.length": 1.01, "point.1.at.0": 1.01 }, "E"],
+  "leg with its longest stance": ["leg/longest-stance", { "dyad.0.lengths.1": 1.005 }, "C"],
 };
 
 const status = (page) => page.locator(".edit-status").textContent();

@@ -20,6 +20,7 @@ struct Kind<problems::LegProblem> : LinkageKind<problems::LegProblem> {
   static problems::MetricNames metric_names(const problems::LegProblem& base) {
     return chain_metric_names(base.topologies);
   }
+  static bool edits(const problems::LegProblem& /*problem*/) { return true; }
 };
 
 }  // namespace cognate::app

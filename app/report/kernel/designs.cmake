@@ -50,6 +50,11 @@ cognate_page_kernel(design_kernel ${problem_reader} ${mechanism_evaluator} ${ana
   problems/function/target/fast_places.cpp
   problems/function/target/jumps.cpp
   problems/function/target/poles.cpp
+  problems/leg/given.cpp
+  problems/leg/known.cpp
+  problems/leg/names.cpp
+  problems/leg/read.cpp
+  problems/leg/verify.cpp
   problems/linkage/constraint_checks.cpp
   problems/linkage/constraint_words.cpp
   problems/linkage/drive_span.cpp

@@ -16,6 +16,7 @@
 #include "problems/chain_function/given.hpp"
 #include "problems/chain_function/space.hpp"
 #include "problems/dwell/given.hpp"
+#include "problems/leg/given.hpp"
 #include "problems/linkage/warnings.hpp"
 
 namespace cognate::page {
@@ -26,6 +27,7 @@ using problems::ChainFunctionProblem;
 using problems::ChainPathProblem;
 using problems::Design;
 using problems::DwellProblem;
+using problems::LegProblem;
 
 /// The design of a problem of which all dimensions are given.
 template <class Problem>
@@ -44,7 +46,8 @@ ordered_json reached_of(const ChainPathProblem& problem, const Design& design) {
   return app::reached_points(design, traced);
 }
 
-ordered_json reached_of(const DwellProblem& /*problem*/, const Design& design) {
+template <class Problem>
+ordered_json reached_of(const Problem& /*problem*/, const Design& design) {
   return app::reached_points(design);
 }
 
@@ -62,6 +65,10 @@ std::optional<problems::TargetExtent> size_of(const Problem& /*problem*/) {
 }
 
 bool has_angles(const ChainPathProblem& /*problem*/) {
+  return false;
+}
+
+bool has_angles(const LegProblem& /*problem*/) {
   return false;
 }
 
@@ -99,9 +106,11 @@ COGNATE_EXPORT(design) int design_text() {
   problems::reading::FaultList none;
   const auto document = document_of(question());
   problems::reading::TableReader reader(document, none);
-  if (reader.text("kind") == problems::KindTraits<ChainPathProblem>::kWord) {
+  const auto kind = reader.text("kind");
+  if (kind == problems::KindTraits<ChainPathProblem>::kWord) {
     return answer_to<ChainPathProblem>(document);
   }
+  if (kind == problems::KindTraits<LegProblem>::kWord) return answer_to<LegProblem>(document);
   const bool is_function = problems::KindTraits<ChainFunctionProblem>::takes(reader);
   return is_function ? answer_to<ChainFunctionProblem>(document)
                      : answer_to<DwellProblem>(document);

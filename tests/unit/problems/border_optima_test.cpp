@@ -134,5 +134,23 @@ TEST(BorderOptima, WherePointsThatAreNotTimedExceedALimitByLittle) {
   }
 }
 
+/// The frame is a third of the crank given, and the ratio of the coupler to it is at its limit:
+/// what the search leaves of that limit counts relative to the frame. Outputs of a four-bar of
+/// lengths 1, 1.2333, 0.5665 and 0.3456, which meets everything, with noise of 0.1 percent.
+TEST(BorderOptima, WhereALimitIsThatOfTheLeastLink) {
+  const auto result = solved<FunctionProblem>(
+      "kind = \"function-generation\"\n[target]\npairs_deg = ["
+      "[0, 0], [2.55, 1.19], [5.09, 2.36], [7.64, 3.49], [10.18, 4.58], [12.73, 5.64], "
+      "[15.28, 6.69], [17.82, 7.68], [20.37, 8.68], [22.92, 9.63], [25.46, 10.59], [28.01, "
+      "11.46], [30.55, 12.35], [33.1, 13.22], [35.65, 14.12], [38.19, 14.93], [40.74, 15.72], "
+      "[43.28, 16.49], [45.83, 17.24], [48.38, 18], [50.92, 18.75]"
+      "]\n[bounds]\ncoupler = [0.05, 20]\nrocker = [0.05, 20]\nframe = [0.05, 20]\n[constraints]\n"
+      "class = \"triple-rocker\"\ntransmission_angle_deg = [54.506, 83.028]\n"
+      "link_ratio_max = 3.925\n");
+  ASSERT_EQ(result.status, Status::solved);
+  const auto [crank, coupler, rocker, frame] = lengths(four_bar(result.designs.front()));
+  EXPECT_NEAR(std::max({crank, coupler, rocker}) / frame, 3.925, 1e-6);
+}
+
 }  // namespace
 }  // namespace cognate::problems::border_optima_test

@@ -23,7 +23,7 @@ import { mechanismJoints, problemFields } from "./problem_model.js";
 import { defectsRow } from "./rows.js";
 
 const MECHANISM_KERNEL = "mechanism-kernel";
-const KINDS = ["path-generation", "function-generation"];
+const KINDS = ["path-generation", "function-generation", "leg"];
 
 // Of metrics those that stand in rows of the panel: what it is called does not change.
 const UNCHANGED = /^(topology|change_point)$/;
