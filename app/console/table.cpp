@@ -55,8 +55,10 @@ std::string certificate_line(const Result& result) {
   const problems::Certificate& proof = *result.certificate;
   const std::string among = fmt::format("among {} ({} boxes)", proof.domain, proof.boxes);
   if (proof.complete) {
-    return fmt::format("certified: sum of squares {:.10g} is within {:.2g} of the minimum, {}\n",
-                       proof.upper_bound, proof.gap_relative, among);
+    return fmt::format(
+        "certified: sum of squares {:.10g} is within {:.2g} % of the minimum, at least {:.10g}, "
+        "{}\n",
+        proof.upper_bound, 100 * proof.gap_relative, proof.lower_bound, among);
   }
   return fmt::format(
       "not certified in the time given: sum of squares {:.10g}, its minimum at least {:.10g} "

@@ -58,7 +58,8 @@ export function checkBound({ bound, unit, relation = "=" }) {
   if (typeof bound !== "object") return RELATIONS[relation] + numbered(bound, unit);
   const [min, max] = Array.isArray(bound) ? bound : [bound.min, bound.max];
   if (min === undefined || min === null) return `≤ ${numbered(max, unit)}`;
-  return max === undefined || max === null ? `≥ ${numbered(min, unit)}` : `${number(min, CHECK_DIGITS)} … ${numbered(max, unit)}`;
+  if (max === undefined || max === null) return `≥ ${numbered(min, unit)}`;
+  return min === max ? RELATIONS["="] + numbered(max, unit) : `${number(min, CHECK_DIGITS)} … ${numbered(max, unit)}`;
 }
 
 export const headRow = (names) => element("tr", {}, ...names.map(([name, kind = ""]) => element("th", { scope: "col", class: kind }, name)));

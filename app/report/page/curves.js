@@ -14,7 +14,7 @@ export const TURN_STEPS = [1, 2, 5, 10, 15, 30, 45, 60, 90, 180];
 // with the one pointed at, null where none is.
 export class Curves {
   constructor(holder, onPick, onPoint = () => {}) {
-    Object.assign(this, { holder, onPick, onPoint, plots: [] });
+    Object.assign(this, { holder, onPick, onPoint, plots: [], drive: undefined });
     this.available = typeof uPlot !== "undefined";
     new ResizeObserver(() => this.#resize()).observe(holder);
   }
@@ -66,6 +66,7 @@ export class Curves {
   }
 
   move(drive) {
+    this.drive = drive;
     for (const { plot, sheet } of this.plots) {
       const x = sheet.xAt(drive);
       const left = x === null ? -10 : plot.valToPos(x, "x");
@@ -84,10 +85,11 @@ export class Curves {
     for (const { plot } of this.plots) plot.redraw(false, true);
   }
 
+  // A plot of another size has lost its cursor.
   #resize() {
-    for (const { plot, box } of this.plots) {
-      if (box.clientWidth && box.clientWidth !== plot.width) plot.setSize({ width: box.clientWidth, height: plot.height });
-    }
+    const outgrown = this.plots.filter(({ plot, box }) => box.clientWidth && box.clientWidth !== plot.width);
+    for (const { plot, box } of outgrown) plot.setSize({ width: box.clientWidth, height: plot.height });
+    if (outgrown.length && this.drive !== undefined) this.move(this.drive);
   }
 }
 

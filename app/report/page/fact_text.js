@@ -42,7 +42,7 @@ export function factName(key) {
     if (share in STRAIGHTNESS) return say(STRAIGHTNESS[share], { name: words(text.slice(0, -share.length)) });
     return term(text.replaceAll("_", " "));
   };
-  const joint = /^transmission_([^.]+)_min$/.exec(key)?.[1];
+  const joint = /^transmission_(?!angle)([^.]+)_min$/.exec(key)?.[1];
   if (joint) return say("fact.transmission_at", { joint });
   if (!what) return sentence(words(of));
   if (what === "acute_min") return sentence(say("fact.least_acute", { of: words(of) }));
@@ -61,6 +61,11 @@ export function factText(value, unit) {
   // Of an angle less than this is left by rounding.
   return unit === "deg" ? degreesShort(Math.abs(value) < NO_ANGLE ? 0 : value, 6) : `${number(value, 6)} ${FACT_WORDS[unit] ?? ""}`.trim();
 }
+
+export const lengthText = (value, digits) => `${number(value, digits)} ${LENGTH_UNIT ?? ""}`.trim();
+
+// A sum of squares of lengths, or of angles.
+export const squaresText = (value, digits, angular) => `${number(value, digits)}${angular ? " rad²" : LENGTH_UNIT ? ` ${LENGTH_UNIT}²` : ""}`;
 
 // Curves that share n points at one place have contact of order n − 1.
 const contactText = (points) => say("fact.contact", { order: points - 1, points });

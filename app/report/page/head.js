@@ -50,7 +50,7 @@ export function certificateNote(certificate) {
   if (!certificate) return [];
   const { complete, lower_bound: lower, upper_bound: upper, gap_relative: gap, domain } = certificate;
   return [say(complete ? "certificate.complete" : "certificate.incomplete",
-    { upper: number(upper), lower: number(lower), gap: number(gap), domain: sentenceOf(domain) })];
+    { upper: number(upper), lower: number(lower), gap: number(100 * gap, 3), domain: sentenceOf(domain) })];
 }
 
 // Of the counts of all kinds of work those that there are.

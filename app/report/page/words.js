@@ -41,7 +41,11 @@ export const withUnit = (name, unit) => (unit ? say("unit.axis", { name, unit })
 export const knows = (key) => Object.hasOwn(WORDS[language].words, key);
 
 // A word or a name that the result holds in English, such as the class of a linkage.
-export const term = (text) => (Object.hasOwn(WORDS[language].terms ?? {}, text) ? WORDS[language].terms[text] : text);
+export function term(text) {
+  if (Object.hasOwn(WORDS[language].terms ?? {}, text)) return WORDS[language].terms[text];
+  const [, pin] = /^slider-(\w+)$/.exec(text) ?? [];
+  return pin ? say("part.slider_of", { pin }) : text;
+}
 
 // A key of problem files, or one of the words that may stand under it; undefined where it has no
 // translation.

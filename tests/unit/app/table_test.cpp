@@ -146,7 +146,8 @@ TEST(Table, SaysWhatIsProved) {
   auto result = planted_result();
   result.certificate = {0.5, 0.625, 0.2, true, 12345, "all there are"};
   const std::string proved = design_table(planted_path(), result, {});
-  EXPECT_TRUE(contains(proved, "certified: sum of squares 0.625 is within 0.2 of the minimum"));
+  EXPECT_TRUE(contains(
+      proved, "certified: sum of squares 0.625 is within 20 % of the minimum, at least 0.5,"));
   EXPECT_TRUE(contains(proved, "among all there are (12345 boxes)"));
   result.certificate->complete = false;
   const std::string open = design_table(planted_path(), result, {});

@@ -1,7 +1,7 @@
 // What is known of the design chosen, and of the run.
 
 import { byId, element, fact } from "../dom.js";
-import { factName, factRows } from "../fact_text.js";
+import { factName, factRows, lengthText, squaresText } from "../fact_text.js";
 import { degrees, degreesShort, duration, number, sentence } from "../format.js";
 import { showHead } from "../head.js";
 import { isOfComputation, showMore } from "../meaning.js";
@@ -111,11 +111,11 @@ function errorRows({ error, mechanism }, kind) {
   if (!error) return fact(say("qualities.largest"), say("edit.unmet"));
   if (isExact({ error, mechanism })) return fact(say("qualities.largest"), say("rounding.exact"), String(error.max_deg ?? error.max));
   const angular = error.max_deg !== undefined;
-  const length = (value) => `${number(value, 6)} ${LENGTH_UNIT ?? ""}`.trim();
+  const length = (value) => lengthText(value, 6);
   return [
     ...fact(say("qualities.largest"), angular ? degreesShort(error.max_deg) : length(error.max), String(angular ? error.max_deg : error.max)),
     ...fact(say("qualities.rms"), angular ? degreesShort(error.rms_deg) : length(error.rms), String(angular ? error.rms_deg : error.rms)),
-    ...fact(say("designs.sum_of_squares"), `${number(error.sum_of_squares, 7)}${angular ? " rad²" : LENGTH_UNIT ? ` ${LENGTH_UNIT}²` : ""}`, String(error.sum_of_squares))];
+    ...fact(say("designs.sum_of_squares"), squaresText(error.sum_of_squares, 7, angular), String(error.sum_of_squares))];
 }
 
 export function showQualities(design, kind, pinned = null) {

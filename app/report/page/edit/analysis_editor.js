@@ -115,6 +115,7 @@ export class AnalysisEditor {
     byId("main").classList.remove("dragging");
     this.page.show(data, { ...problem, title: this.title }, this.page.drive());
     this.now = { problem, data, mechanism: this.page.mechanism() };
+    this.place(this.overlay.view);
     return true;
   }
 

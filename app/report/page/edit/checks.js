@@ -6,6 +6,15 @@ import { lengthOf, minus } from "./four_bar.js";
 
 const CHECK_TOLERANCE = 1e-9;
 const DEGREE_TOLERANCE = CHECK_TOLERANCE / RADIANS;
+// Degrees by which the greatest and least of the positions sampled may miss the limits of the rocker.
+const SWING_TOLERANCE = 0.01;
+
+// What a file specifies that designs meet by their synthesis, and that results do not check: those edited may lose it.
+export function specifiedChecks({ kind, target = {}, mechanism = {}, raster = null }) {
+  const equality = (name, label, bound, unit) => (typeof bound === "number" ? [{ name, label, bound, unit, relation: "=" }] : []);
+  const stroke = kind === "quick-return" ? [...equality("time_ratio", "time ratio", target.time_ratio, ""), ...equality("swing_deg", "swing", mechanism.swing_deg, "deg")] : [];
+  return [...stroke, ...(raster ? [{ name: "raster", label: "raster", bound: null }] : [])];
+}
 
 // The numbers that checks of single dimensions are named after.
 function dimensionOf(name, { crank, coupler, rocker, fixed_pivots: [a, d], coupler_point: p }) {
@@ -14,22 +23,34 @@ function dimensionOf(name, { crank, coupler, rocker, fixed_pivots: [a, d], coupl
     "coupler_point.u": p?.[0], "coupler_point.v": p?.[1] }[name];
 }
 
+// Angles that a file may give, in degrees.
+function givenAngle(name, { fixed_pivots: [a, d] }, starts) {
+  const [x, y] = minus(d, a);
+  return { "mechanism.frame_angle_deg": Math.atan2(y, x) / RADIANS, "mechanism.input_start_deg": starts?.input_deg, "mechanism.output_start_deg": starts?.output_deg }[name];
+}
+
 // The value of a check as `measured` has it and whether it is met; null for one that takes the program.
-export function checkOf({ name, bound }, { mechanism, facts }) {
+export function checkOf({ name, bound }, { mechanism, facts, swing, starts = null }) {
   const longest = Math.max(...["crank", "coupler", "rocker", "frame"].map((key) => dimensionOf(key, mechanism)));
   const shortest = Math.min(...["crank", "coupler", "rocker", "frame"].map((key) => dimensionOf(key, mechanism)));
   const [, table, key] = /^(mechanism|bounds|pivot_region)\.(.+)$/.exec(name) ?? [];
   const length = table && dimensionOf(key, mechanism);
   if (length !== undefined) return { value: length, met: isWithin(length, bound, (limit) => CHECK_TOLERANCE * Math.max(Math.abs(limit), longest)) };
+  const angle = givenAngle(name, mechanism, starts);
+  if (angle !== undefined && typeof bound === "number") return { value: bound + turnBetween(bound, angle), met: Math.abs(turnBetween(bound, angle)) <= DEGREE_TOLERANCE };
   if (name === "transmission_angle_deg") return transmissionCheck(bound, facts);
   if (name === "link_ratio_max") return { value: longest / shortest, met: longest / shortest <= bound * (1 + CHECK_TOLERANCE) };
   if (name === "time_ratio") return { value: facts.timeRatio, met: facts.timeRatio !== null && isWithin(facts.timeRatio, bound, (limit) => CHECK_TOLERANCE * Math.abs(limit)) };
+  if (name === "swing_deg") return { value: swing, met: Math.abs(swing - bound) <= SWING_TOLERANCE };
   if (name === "class") return { value: facts.class, met: hasClass(bound, facts) };
   if (name === "full_turn") return { value: facts.class, met: hasClass("crank-rocker", facts) || hasClass("double-crank", facts) };
   const defect = /^no_(\w+)_defect$/.exec(name)?.[1];
   if (defect) return { value: facts.defects.includes(defect) ? defect : "none", met: !facts.defects.includes(defect) };
   return null;
 }
+
+// The least turn from one direction to another, in degrees.
+const turnBetween = (from, to) => to - from - 360 * Math.round((to - from) / 360);
 
 // The ends of a bound as results hold it: a number, both ends, or the one that there is.
 function endsOf(bound) {

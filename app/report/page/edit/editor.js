@@ -11,7 +11,7 @@ import { brokenText } from "./broken.js";
 import { editedFile } from "./edited_file.js";
 import { measureOf } from "./errors.js";
 import { FOUR_BAR_JOINTS, fourBarFields } from "./four_bar.js";
-import { checkOf } from "./checks.js";
+import { checkOf, specifiedChecks } from "./checks.js";
 import { History } from "./history.js";
 import { EditOverlay } from "./overlay.js";
 import { EditPanel } from "./panel.js";
@@ -33,6 +33,7 @@ export class Editor {
     const { entry } = this.found;
     const { input_start_deg: input, output_start_deg: output } = entry.metrics;
     const first = withoutNoise({ mechanism: entry.mechanism, starts: input === undefined ? null : { input_deg: input, output_deg: output } });
+    this.checks = [...(entry.constraints ?? []), ...specifiedChecks(this.page.problem)];
     this.measure = measureOf(this.page.problem, this.page.target, entry, this.drawn);
     this.history = new History(first);
     this.before = this.#evaluate(first);
@@ -62,18 +63,19 @@ export class Editor {
     if (gap && !facts.defects.includes("circuit")) facts.defects.push("circuit");
     const motion = kernel.motion(stations, EDIT_SAMPLES);
     if (motion.crank_deg.length < 2) return null;
-    const entry = this.#entry({ state, mechanism, facts, error, angular, stations });
+    const swing = Math.max(...motion.rocker_deg) - Math.min(...motion.rocker_deg);
+    const entry = this.#entry({ state, mechanism, facts, swing, error, angular, stations });
     const guided = this.drawn.guided && this.#guided(stations, mechanism);
     const design = new Design(entry, { ...this.drawn, motion, deviation: null, guided, ...drawn }, this.page.target);
-    return { state, mechanism, facts, error, angular, motion, design };
+    return { state, mechanism, facts, swing, error, angular, motion, design };
   }
 
   // The entry of a result that the state would have, as far as the kernel knows it.
-  #entry({ state: { starts }, mechanism, facts, error, angular, stations }) {
+  #entry({ state: { starts }, mechanism, facts, swing, error, angular, stations }) {
     const { entry } = this.found;
     const kept = Object.fromEntries(Object.entries(entry.metrics).filter(([key]) => /^body_angle/.test(key)));
-    const constraints = (entry.constraints ?? []).map((check) => {
-      const found = checkOf(check, { mechanism, facts });
+    const constraints = this.checks.map((check) => {
+      const found = checkOf(check, { mechanism, facts, swing, starts });
       return { ...check, value: found ? found.value : null, satisfied: found ? found.met : null };
     });
     const figures = error && { ...error, ...(angular ? { max_deg: error.max / RADIANS, rms_deg: error.rms / RADIANS } : {}) };
@@ -108,7 +110,7 @@ export class Editor {
     this.shown = design;
     this.page.follow(design);
     this.page.redraw(crank);
-    this.panel.show(state, this.history, editRows(this.before, evaluated), (this.found.entry.constraints ?? []).map((check) => checkRow(check, evaluated)));
+    this.panel.show(state, this.history, editRows(this.before, evaluated), this.checks.map((check) => checkRow(check, evaluated)));
   }
 
   // The handles, where the picture is.
@@ -139,7 +141,7 @@ export class Editor {
 
   #settle(state) {
     this.history.push(state);
-    this.panel.show(state, this.history, editRows(this.before, this.now), (this.found.entry.constraints ?? []).map((check) => checkRow(check, this.now)));
+    this.panel.show(state, this.history, editRows(this.before, this.now), this.checks.map((check) => checkRow(check, this.now)));
     this.page.settle();
   }
 

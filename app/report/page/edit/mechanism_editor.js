@@ -6,7 +6,8 @@ import { flatMetrics } from "../design/facts.js";
 import { checkRows } from "../checks.js";
 import { byId } from "../dom.js";
 import { embedded } from "../embedded.js";
-import { degreesShort, number } from "../format.js";
+import { lengthText, squaresText } from "../fact_text.js";
+import { degreesShort } from "../format.js";
 import { Mechanism } from "../mechanism.js";
 import { tableWithoutRounding } from "../rounding.js";
 import { RADIANS } from "../sampling.js";
@@ -157,7 +158,9 @@ function mechanismDesignRows(before, now) {
   const errors = Object.entries(ERROR_ROWS).map(([row, key]) => {
     const cell = ({ entry: { error } }) => {
       const degrees = error[`${key}_deg`];
-      return degrees === undefined ? { value: error[key], text: number(error[key], 5) } : { value: degrees, text: degreesShort(degrees, 5) };
+      const angular = error.max_deg !== undefined;
+      if (row === "sum") return { value: error[key], text: squaresText(error[key], 5, angular) };
+      return angular ? { value: degrees, text: degreesShort(degrees, 5) } : { value: error[key], text: lengthText(error[key], 5) };
     };
     return { key: `error.${row}`, before: cell(before), now: cell(now) };
   });

@@ -1,7 +1,8 @@
 // What the panel says of an edited design beside what it was.
 
 import { checkBound, checkName, checkValue } from "../checks.js";
-import { degrees, degreesShort, fixed, number } from "../format.js";
+import { lengthText, squaresText } from "../fact_text.js";
+import { degrees, degreesShort, fixed } from "../format.js";
 import { RADIANS } from "../sampling.js";
 import { say, term } from "../words.js";
 import { checkOf } from "./checks.js";
@@ -24,7 +25,7 @@ export function editRows(before, now) {
     row("least", ({ facts }) => facts.least, shownAngle),
     row("greatest", ({ facts }) => facts.greatest, shownAngle),
     row("time_ratio", ({ facts }) => facts.timeRatio, (ratio) => fixed(ratio, 4)),
-    row("swing", ({ motion: { rocker_deg: list } }) => Math.max(...list) - Math.min(...list), (deg) => degrees(deg, 2)),
+    row("swing", ({ swing }) => swing, (deg) => degrees(deg, 2)),
     ...changedErrors(before, now),
     defectsRow(before, now, ({ facts }) => facts.defects)];
 }
@@ -37,16 +38,17 @@ function changedErrors(before, now) {
   const known = before.error ?? now.error;
   if (!known) return [];
   const angle = (value) => degreesShort(value / RADIANS, 5);
-  const length = (value) => number(value, 5);
+  const length = (value) => lengthText(value, 5);
+  const squares = (value) => squaresText(value, 5, before.angular);
   const row = (key, member, show) => editRow(`error.${key}`, [before, now], ({ error }) => error?.[member] ?? null,
     (value) => (value === null ? say("edit.unmet") : show(value)));
-  return [row("max", "max", before.angular ? angle : length), row("rms", "rms", before.angular ? angle : length), row("sum", "sum_of_squares", length),
+  return [row("max", "max", before.angular ? angle : length), row("rms", "rms", before.angular ? angle : length), row("sum", "sum_of_squares", squares),
     ...(known.turned === undefined ? [] : [row("turned", "turned", angle)])];
 }
 
 // One constraint of the design: its name, bound, value now, and whether it is met (null: not known here).
 export function checkRow(check, evaluated) {
-  const found = checkOf(check, evaluated);
+  const found = checkOf(check, { ...evaluated, starts: evaluated.state.starts });
   if (!found) return [checkName(check), checkBound(check), say("edit.program"), null];
   return [checkName(check), checkBound(check), checkValue({ ...check, value: found.value }), found.met];
 }

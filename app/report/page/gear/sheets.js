@@ -17,6 +17,8 @@ const rangeOf = (values, unit = "") => {
   return least === null ? say("curves.no_values") : say("curves.range_unit", { least: number(least, 4), greatest: number(greatest, 4), unit }).trim();
 };
 
+const upTo = (values) => say("range.at_most", { value: number(Math.max(...values), 4) });
+
 export function pairSheets(mesh) {
   if (!mesh.touches) return [countSheet(mesh)];
   const ways = Array.from({ length: PATH_STEPS + 1 }, (_, i) => mesh.start + ((mesh.end - mesh.start) * i) / PATH_STEPS);
@@ -32,7 +34,7 @@ export function pairSheets(mesh) {
   const speed = ways.map((way) => mesh.slidingSpeed(way));
   return [
     { ...along, title: say("gear.sliding"), summary: range, note: isCut ? say("curves.peaks_cut", { range }) : range, lines: [gearLine(say("gear.pinion"), GEAR_COLOURS[0], both[0]), gearLine(say("gear.wheel"), GEAR_COLOURS[1], both[1])] },
-    { ...along, title: say("gear.sliding_speed"), summary: rangeOf(speed), note: sentence(rangeOf(speed)), lines: [gearLine("v/v₀", "--velocity", speed)], yRange: padded(0, Math.max(...speed)) },
+    { ...along, title: say("gear.sliding_speed"), summary: upTo(speed), note: sentence(upTo(speed)), lines: [gearLine("v/v₀", "--velocity", speed)], yRange: padded(0, Math.max(...speed)) },
     countSheet(mesh)];
 }
 

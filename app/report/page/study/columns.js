@@ -1,13 +1,17 @@
 // The columns of the study: numbers, or words as numbers of their levels; NaN where a row lacks one.
 
+import { metricName } from "../checks.js";
 import { factName, factParts, unitWord } from "../fact_text.js";
 import { number, sentence } from "../format.js";
 import { keyName, unitOfKey } from "../problem.js";
-import { LENGTH_UNIT, say, term } from "../words.js";
+import { LENGTH_UNIT, say, term, withUnit } from "../words.js";
 
 // Numbers of these tables are lengths, but for those whose keys say something else.
 const LENGTH_TABLES = /^(mechanism|bounds|follower)\./;
 const NO_LENGTH = /(_deg|teeth|module|shift|ratio)$/;
+
+// Quantities of cams, whose extremes are named by the stroke.
+const CAM_QUANTITY = /^(pressure_angle_deg|(second_cam_)?curvature_radius)_(min|max)/;
 
 // The name of a column in words, with its unit: a key of the base file, or a metric.
 function columnLabel({ name, role, levels }) {
@@ -20,6 +24,8 @@ function columnLabel({ name, role, levels }) {
     const words = sentence(keyName(key.replace(/\[\d+\]$/, ""), name.split(".")[0])) + (place === undefined ? "" : ` ${Number(place) + (/\[/.test(name) ? 0 : 1)}`);
     return unit && !isWord ? say("unit.axis", { name: words, unit }) : words;
   }
+  const cam = CAM_QUANTITY.exec(name);
+  if (cam) return withUnit(metricName(name), cam[1] === "pressure_angle_deg" ? "°" : LENGTH_UNIT);
   const { key, unit } = factParts(name);
   const words = factName(key);
   return unitWord(unit) && !isWord ? say("unit.axis", { name: words, unit: unitWord(unit) }) : words;

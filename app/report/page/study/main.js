@@ -108,7 +108,7 @@ function startContour() {
   const levels = (column) => column.grid?.length ?? Infinity;
   let [x, y] = [...[...variables].sort((a, b) => (levels(a) === levels(b) ? a.index - b.index : levels(b) - levels(a))), ...numbers];
   if (x === y) y = numbers.find((column) => column !== x);
-  let z = objectives.find((column) => !column.words) ?? numbers.find((column) => column.role === "metric" && !column.constant) ?? numbers[2];
+  let z = objectives.find((column) => !column.words && column !== x && column !== y) ?? numbers.find((column) => column.role === "metric" && !column.constant) ?? numbers[2];
   const contour = new Contour(byId("contour-plane"), study, { select });
   const choose = () => contour.choose(z, x, y);
   views.push(contour);
@@ -146,7 +146,7 @@ views.push(rows);
 rows.filtered();
 let parallel = null;
 if (canDraw && count) {
-  const first = objectives[0] ?? drawn.find((column) => column.role === "metric" && !column.constant) ?? drawn[0];
+  const first = objectives.find((column) => column.role === "metric") ?? objectives[0] ?? drawn.find((column) => column.role === "metric" && !column.constant) ?? drawn[0];
   selects("colour", drawn, first, paintBy, say("parallel.no_colour"));
   study.paint = new Paint(first);
   repaint();
