@@ -188,6 +188,14 @@ ExitStatus run_studio(const CLI::App& command, const Arguments& arguments, const
   return studio_command(studio, options);
 }
 
+ExitStatus run_sweep(const CLI::App& command, const Arguments& arguments, const Options& options,
+                     StudyProcesses& processes) {
+  SweepOptions own{.merged = {arguments.merged.begin(), arguments.merged.end()}};
+  const bool has_part = command.get_option("--part")->count() > 0;
+  if (has_part && !take(parse_part(arguments.part), own.part)) return exit_bad_input;
+  return sweep_command(arguments.file, options, own, processes);
+}
+
 ExitStatus run_completion(const CommandLine& line) {
   const auto& shell = line.arguments.shell;
   if (shell == "bash") return print(bash_completion(command_tree(line)));
@@ -213,7 +221,7 @@ ExitStatus run_command(const CommandLine& line, StudyProcesses& processes) {
                     [&](const std::string& file) { return solve_command(file, *options); });
   }
   if (name == "analyze") return run_analyze(called, arguments, *options);
-  if (name == "sweep") return sweep_command(arguments.file, *options, processes);
+  if (name == "sweep") return run_sweep(called, arguments, *options, processes);
   if (name == "export") return run_export(called, arguments, *options);
   if (name == "sketch") return sketch_command(*options);
   if (name == "involute") {

@@ -147,6 +147,17 @@ void CommandLine::add_check() {
       ->type_name("N");
 }
 
+void CommandLine::add_sweep() {
+  auto& sweep = add_file_command("sweep", "Run a study: vary numbers, keep rows.", kSweepFooter,
+                                 "the study, a TOML file", {".toml"});
+  add_folder(sweep, arguments);
+  sweep.add_option("--part", arguments.part, "evaluate this part of the designs alone")
+      ->type_name("K/N");
+  sweep.add_option("--merge", arguments.merged, "take over the rows of this file first")
+      ->type_name("NAME.study.db")
+      ->allow_extra_args(false);
+}
+
 /// Those that packagers call and a user once.
 void CommandLine::add_hidden_commands() {
   auto& completion = *app.add_subcommand("completion", "Print a script that completes commands.");
@@ -188,9 +199,7 @@ CommandLine::CommandLine() : app(kDescription, "cognate") {
       ->type_name("N");
   add_length_unit(analyzing, arguments);
   add_watch(analyzing, arguments);
-  add_folder(add_file_command("sweep", "Run a study: vary numbers, keep rows.", kSweepFooter,
-                              "the study, a TOML file", {".toml"}),
-             arguments);
+  add_sweep();
   auto& exporting = add_file_command(
       "export", "Write a result for CAD, as a picture or a table.", export_footer().c_str(),
       "NAME.result.json, or a study, NAME.study.db", {".result.json", ".study.db"});

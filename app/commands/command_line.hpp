@@ -19,9 +19,11 @@ struct Arguments {
   std::string kind;                 ///< of `new` and `list`
   std::string shell;                ///< of `completion`
   std::string seed, threads, time_limit, out, steps, length_unit;
-  std::string row;     ///< of a study, for `export`
-  std::string port;    ///< of `studio`
-  std::string sample;  ///< of `check`, of a certificate
+  std::string row;                  ///< of a study, for `export`
+  std::string port;                 ///< of `studio`
+  std::string sample;               ///< of `check`, of a certificate
+  std::string part;                 ///< of a study, for `sweep`
+  std::vector<std::string> merged;  ///< study files, for `sweep`
   ExportTexts exporting;
   bool json = false;
   bool quiet = false;
@@ -52,6 +54,7 @@ struct CommandLine {
                               const char* file, std::vector<std::string> read);
   void add_studio();
   void add_check();
+  void add_sweep();
   void add_hidden_commands();
 };
 

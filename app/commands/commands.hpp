@@ -12,6 +12,7 @@
 #include "app/console/options.hpp"
 #include "app/export/export_options.hpp"
 #include "app/kinds/basics/command.hpp"
+#include "app/study/part.hpp"
 
 namespace cognate::app {
 
@@ -41,13 +42,21 @@ ExitStatus analyze_design_command(const std::filesystem::path& file, int design,
 
 class StudyProcesses;
 
-/// Evaluates the designs of the study in `file` that are not yet in NAME.study.db, NAME being the
-/// file's stem, in the folder `--out`, else the current one, and stores their rows there; prints
-/// the counts and the best rows (with `--json` the document `cognate-study/1`, with `--quiet`
-/// nothing) and writes NAME.report.html (with `--json` only where `--out` is given). The status is
-/// that of no design where no row was kept. Of several `processes` all are called; the first talks.
+/// What `cognate sweep` alone takes.
+struct SweepOptions {
+  StudyPart part;  ///< the designs that are evaluated
+  std::vector<std::filesystem::path>
+      merged;  ///< files of the same study, whose rows are taken over
+};
+
+/// Takes over the rows of other files of the study in `file`, then evaluates the designs that are
+/// not yet in NAME.study.db, NAME being the file's stem, in the folder `--out`, else the current
+/// one, and stores their rows there; prints the counts and the best rows (with `--json` the
+/// document `cognate-study/1`, with `--quiet` nothing) and writes NAME.report.html (with `--json`
+/// only where `--out` is given). The status is that of no design where no row was kept. Of several
+/// `processes` all are called; the first talks.
 ExitStatus sweep_command(const std::filesystem::path& file, const Options& options,
-                         StudyProcesses& processes);
+                         const SweepOptions& own, StudyProcesses& processes);
 
 /// Writes the base file of the study file `file` with the numbers of design `row` as NAME.ROW.toml
 /// to the folder `--out`, else to the current one, NAME being the name of the study file without

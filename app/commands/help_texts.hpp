@@ -103,6 +103,9 @@ inline constexpr const char* kSweepFooter = R"(Output:
   rows are then those of a run that was never stopped.
   The same file, seed and version give the same rows with any number of threads
   and of processes.
+  --part 2/5 evaluates the second of five parts of the designs, on a machine of
+  its own; --merge, which may be given several times, takes over the rows of
+  such a file, and what is missing then is evaluated.
   mpirun runs a study on many processes and machines that see the same files,
   each with one thread unless --threads says otherwise.
 
@@ -110,6 +113,8 @@ Examples:
   cognate sweep sizes.toml
   cognate sweep sizes.toml --out results --time-limit 3600
   sqlite3 results/sizes.study.db 'SELECT * FROM best LIMIT 5'
+  cognate sweep sizes.toml --part 1/2
+  cognate sweep sizes.toml --merge other/sizes.study.db
   mpirun -n 64 cognate sweep sizes.toml --out results)";
 
 /// What `cognate export` writes of linkages stands between these two, by the formats' own words.

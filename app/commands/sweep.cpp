@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <list>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/computation.hpp"
@@ -20,6 +22,7 @@
 #include "app/study/database.hpp"
 #include "app/study/evaluator.hpp"
 #include "app/study/lock.hpp"
+#include "app/study/merge.hpp"
 #include "app/study/metrics.hpp"
 #include "app/study/processes.hpp"
 #include "app/study/read_rows.hpp"
@@ -39,10 +42,14 @@ struct Sweep {
   const problems::Study& study;
   StudyOrigin origin;
   const Options& options;
+  const SweepOptions& own;
   fs::path folder;
   std::string stem;
 
   fs::path path(const char* ending) const { return folder / (stem + ending); }
+  std::int64_t total() const { return problems::design_count(study); }
+  /// What this run is to evaluate.
+  DesignRange designs() const { return designs_of(own.part, total()); }
 };
 
 ExitStatus refuse_study(const std::string& what) {
@@ -56,12 +63,28 @@ EvaluatorMaker evaluators(const problems::Study& study, std::uint64_t seed) {
   };
 }
 
+/// Takes over the rows of other files; sentences on them.
+std::vector<std::string> merge(const Sweep& sweep, StudyDatabase& database) {
+  std::list<OtherStudyFile> others;
+  for (const fs::path& file : sweep.own.merged) {
+    others.emplace_back(file, database.file(), sweep.study, sweep.origin);
+  }
+  const auto& interrupted = catch_interrupts();
+  std::vector<std::string> notes;
+  for (OtherStudyFile& other : others) {
+    const std::int64_t designs = other.store_in(database, interrupted);
+    notes.push_back(fmt::format("{} designs taken over from {}", grouped(designs),
+                                printable(other.file().string())));
+  }
+  return notes;
+}
+
 /// Evaluates what is missing in `database`.
 StudySummary run(const Sweep& sweep, StudyDatabase& database, StudyProcesses& processes) {
   const auto begun = std::chrono::steady_clock::now();
   const auto before = database.counts().evaluated;
-  const auto total = problems::design_count(sweep.study);
-  WorkList work(database.missing(), block_size(sweep.study));
+  const auto total = sweep.total();
+  WorkList work(within(database.missing(), sweep.designs()), block_size(sweep.study));
   StudySummary summary{.seed = sweep.origin.seed};
   {
     const auto crew =
@@ -72,11 +95,18 @@ StudySummary run(const Sweep& sweep, StudyDatabase& database, StudyProcesses& pr
     summary.end = run_study(database, *crew,
                             {.interrupted = interrupted,
                              .time_limit = sweep.options.time_limit,
-                             .progress = [&] { progress.update(database.counts().evaluated); }});
+                             .progress = [&] { progress.update(database.counts().evaluated); },
+                             .designs = sweep.designs()});
   }
   summary.counts = database.counts();
   summary.evaluated = summary.counts.evaluated - before;
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  if (const auto& part = sweep.own.part; part.count > 1) {
+    const auto [first, count] = sweep.designs();
+    summary.notes.push_back(fmt::format("part {} of {}: {} of {} designs, from number {} on",
+                                        part.number, part.count, grouped(count), grouped(total),
+                                        grouped(first)));
+  }
   if (before > 0) {
     summary.notes.push_back(
         before == total
@@ -97,8 +127,7 @@ void say_end(const Sweep& sweep, const StudySummary& summary) {
   if (summary.end == StudyEnd::done) return;
   complain(fmt::format("{} after {} of {} designs; the same command continues from there",
                        summary.end == StudyEnd::interrupted ? "interrupted" : "time limit reached",
-                       grouped(summary.counts.evaluated),
-                       grouped(problems::design_count(sweep.study))));
+                       grouped(summary.counts.evaluated), grouped(sweep.total())));
 }
 
 ExitStatus report(const Sweep& sweep, StudyDatabase& database, StudySummary& summary) {
@@ -138,19 +167,22 @@ ExitStatus direct(const Sweep& sweep, StudyProcesses& processes, std::string_vie
   const auto file = final_target(sweep.path(".study.db"));
   const auto lock = ready ? StudyLock::take(lock_file(file)) : tl::unexpected(ready.error());
   std::optional<StudyDatabase> database;
+  std::vector<std::string> merged;
   std::string fault = lock ? "" : lock.error();
   if (lock) {
     try {
       database.emplace(file, sweep.study, sweep.origin);
+      merged = merge(sweep, *database);
     } catch (const StudyFileError& error) {
       fault = error.what();
     }
   }
-  if (!processes.agree(database.has_value(), input)) {
+  if (!processes.agree(fault.empty(), input)) {
     return fault.empty() ? exit_bad_input : refuse_study(fault);
   }
   try {
     auto summary = run(sweep, *database, processes);
+    summary.notes.insert(summary.notes.begin(), merged.begin(), merged.end());
     return report(sweep, *database, summary);
   } catch (const StudyFileError& error) {
     return refuse_study(error.what());
@@ -171,7 +203,8 @@ tl::expected<problems::Study, std::vector<problems::Fault>> unreadable(const std
 
 }  // namespace
 
-ExitStatus sweep_command(const fs::path& file, const Options& options, StudyProcesses& processes) {
+ExitStatus sweep_command(const fs::path& file, const Options& options, const SweepOptions& own,
+                         StudyProcesses& processes) {
   // A file that may not grow is then an error of writing like any other.
   std::signal(SIGXFSZ, SIG_IGN);
   // Once: a pipe gives its text no second time. Ctrl-C ends the program while it waits for one.
@@ -187,6 +220,7 @@ ExitStatus sweep_command(const fs::path& file, const Options& options, StudyProc
       .study = *study,
       .origin = {.text = *text, .version = std::string(version()), .seed = options.seed},
       .options = options,
+      .own = own,
       .folder = options.out.value_or("."),
       .stem = file.stem().string()};
   const auto input = fmt::format("{}\n{}\n{}\n{}\n{}", sweep.origin.version, sweep.origin.seed,

@@ -104,6 +104,15 @@ std::array<std::int64_t*, 7> fields(StudyCounts& counts) {
           &counts.infeasible, &counts.no_solution, &counts.invalid};
 }
 
+/// Adds the row on which `statement`, a SELECT * FROM runs, stands.
+void add_row(StudyBlock& block, const SqliteStatement& statement, int width) {
+  block.ids.push_back(statement.integer(0));
+  for (int i = 1; i <= width; ++i) block.cells.push_back(statement.cell(i));
+  const auto status = problems::from_string<RunStatus>(statement.text(width + 1));
+  if (!status) throw SqliteError(SQLITE_CORRUPT, "a row has an unknown status");
+  block.statuses.push_back(*status);
+}
+
 /// As check_rows() finds it again in the file.
 std::int64_t checksum_of(const StudyBlock& block, std::size_t width) {
   Checksum sum;
@@ -255,6 +264,22 @@ void StudyDatabase::store(const StudyBlock& block) {
     uncommitted_rows_ += static_cast<std::int64_t>(block.ids.size());
   });
   if (uncommitted_rows_ >= kCommitRows) commit();
+}
+
+void StudyDatabase::for_each_block(const std::function<bool(const StudyBlock&)>& take) {
+  guarded([&] {
+    auto blocks = connection_.prepare("SELECT first, count, filtered FROM blocks ORDER BY first");
+    auto rows = connection_.prepare("SELECT * FROM runs WHERE id >= ? AND id < ? ORDER BY id");
+    while (blocks.step()) {
+      StudyBlock block{
+          .first = blocks.integer(0), .count = blocks.integer(1), .filtered = blocks.integer(2)};
+      rows.bind(1, block.first);
+      rows.bind(2, block.first + block.count);
+      while (rows.step()) add_row(block, rows, static_cast<int>(width_));
+      rows.reset();
+      if (!take(block)) return;
+    }
+  });
 }
 
 void StudyDatabase::insert_rows(const StudyBlock& block) {

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -65,6 +66,8 @@ class StudyDatabase {
   std::vector<DesignRange> missing();
 
   void store(const problems::StudyBlock& block);
+  /// Every block that is stored, ascending, while `take` gives true.
+  void for_each_block(const std::function<bool(const problems::StudyBlock&)>& take);
   /// Commits where that is due.
   void tick();
   void commit();

@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "app/study/part.hpp"
+
 namespace cognate::app {
 
 StudyEnd run_study(StudyDatabase& database, StudyCrew& crew, const StudySteering& steering) {
@@ -30,7 +32,7 @@ StudyEnd run_study(StudyDatabase& database, StudyCrew& crew, const StudySteering
   }
   database.commit();
   // The last block may have come after all; and one of many processes may have been stopped alone.
-  if (database.missing().empty()) return StudyEnd::done;
+  if (within(database.missing(), steering.designs).empty()) return StudyEnd::done;
   return end == StudyEnd::done ? StudyEnd::interrupted : end;
 }
 

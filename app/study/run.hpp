@@ -7,6 +7,7 @@
 
 #include "app/study/crew.hpp"
 #include "app/study/database.hpp"
+#include "app/study/design_range.hpp"
 
 namespace cognate::app {
 
@@ -17,11 +18,13 @@ struct StudySteering {
   const std::atomic<bool>& interrupted;
   std::optional<double> time_limit;  ///< seconds
   std::function<void()> progress;    ///< called some times a second
+  DesignRange designs;               ///< which are to be evaluated
 };
 
 /// Stores the blocks of `crew` until there are no more, or it is interrupted, or the time is over.
-/// What was stored until then is committed. `done` where all designs of the study are; interrupted,
-/// too, where some of the crew gave up by themselves. Throws as StudyDatabase and the crew do.
+/// What was stored until then is committed. `done` where all designs to be evaluated are;
+/// interrupted, too, where some of the crew gave up by themselves. Throws as StudyDatabase and the
+/// crew do.
 StudyEnd run_study(StudyDatabase& database, StudyCrew& crew, const StudySteering& steering);
 
 }  // namespace cognate::app

@@ -18,8 +18,9 @@ constexpr std::array<double L::*, 4> kLinks{&L::crank, &L::coupler, &L::rocker, 
 constexpr std::array<const char*, 6> kNames{"crank", "coupler",     "rocker",
                                             "frame", "input_start", "output_start"};
 /// How far solvers keep the transmission angle from 0 and 180°, in radians, where nothing else
-/// limits it: beyond rounding, so that what they find closes between the samples too.
-constexpr double kClosingMargin = 3e-7;
+/// limits it: what they find closes between the samples too, since what counts as no violation of a
+/// cosine is less than the 4.5e-10 of this.
+constexpr double kClosingMargin = 3e-5;
 
 double typical_length(const std::array<Range, 4>& ranges) {
   double logarithm = 0;

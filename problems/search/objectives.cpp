@@ -94,6 +94,7 @@ class FrontReport {
       design.metrics.quantities.push_back(
           {std::string(rule_.column), rule_.shown(rule_.value(design))});
     }
+    check_own_limits(design);
     if (task_.limit) check_error(*task_.limit, task_.error_of(design), design);
     return design;
   }
@@ -137,6 +138,27 @@ class FrontReport {
   }
 
  private:
+  /// Checks the limits of the file in place of those that the search has narrowed.
+  void check_own_limits(Design& design) const {
+    const auto checks = [&](const DesignLimits& limits) {
+      return check_constraints(limits.constraints, limits.bounds, {}, four_bar(design),
+                               design.metrics);
+    };
+    DesignLimits narrowed = task_.limits;
+    rule_.limit(narrowed, rule_.value(design));
+    const auto own = checks(task_.limits), searched = checks(narrowed);
+    std::vector<ConstraintCheck> kept;
+    for (const ConstraintCheck& check : design.constraints) {
+      const auto same = std::ranges::find(own, check.name, &ConstraintCheck::name);
+      if (same != own.end()) {
+        kept.push_back(*same);
+      } else if (std::ranges::count(searched, check.name, &ConstraintCheck::name) == 0) {
+        kept.push_back(check);
+      }
+    }
+    design.constraints = std::move(kept);
+  }
+
   double measure(const FrontPoint& point) const { return rule_.shown(point.design().value); }
 
   double error(const FrontPoint& point) const {

@@ -195,8 +195,8 @@ for (const [name, joint, fields] of [["library-four-bar-forces", "C", { "load.0.
     await page.locator('[data-edit="copy"]').click();
     const answer = answered(await page.locator("#edit-toml").inputValue());
     await hasFacts(page, flat(answer.designs[0].metrics, ""), "now");
-    // Defects are those of a design, and an analysis has none.
-    assert.equal(await page.locator("#edit-values tr").count(), flat(answer.designs[0].metrics, "").filter((one) => one.name !== "defects").length);
+    // Defects are those of a design, and an analysis has none; residuals are of the computation.
+    assert.equal(await page.locator("#edit-values tr").count(), flat(answer.designs[0].metrics, "").filter((one) => !/^defects$|_residual$/.test(one.name)).length);
     await page.locator("#all-parts").click();
     await page.locator("#drive").evaluate((input) => { input.value = 120; input.dispatchEvent(new Event("input")); });
     const shown = await columnsShown(page);
@@ -225,4 +225,16 @@ test("what is too large to be edited says so, and its page contains no kernel", 
   assert.ok(await page.locator(".edit-toggle").isDisabled());
   assert.match(await page.locator(".edit-toggle").getAttribute("title"), /too large/);
   assert.match(await page.locator("#kernel").textContent(), /^$/);
+}));
+
+test("handles follow a number that is typed", () => visit("library-slider-crank-offset", async (page) => {
+  await edit(page);
+  const middle = async (selector) => { const { x, y, width, height } = await page.locator(selector).first().boundingBox(); return [x + width / 2, y + height / 2]; };
+  const before = await middle('.edit-handle[data-joint="B"]');
+  await type(page, "crank", 1.3 * Number(await field(page, "crank").inputValue()));
+  for (const joint of ["B", "C"]) {
+    const [handle, pin] = [await middle(`.edit-handle[data-joint="${joint}"]`), await middle(`.layer-pins [data-name="${joint}"]`)];
+    near(Math.hypot(handle[0] - pin[0], handle[1] - pin[1]), 0, 1.5, `handle and pin ${joint}`);
+  }
+  assert.notDeepEqual(await middle('.edit-handle[data-joint="B"]'), before);
 }));

@@ -151,6 +151,17 @@ for (const [size, locale] of [["laptop", "en-GB"], ["phone", "zh-CN"]]) {
   }));
 }
 
+test("what a file specifies is checked of an edited design, also where its synthesis met it", async () => {
+  const text = fs.readFileSync(path.join(LIBRARY, "quick-return/crank-rocker-best.toml"), "utf8");
+  const { page, close } = await open(browser, reported(folder, "specified", text), { motion: "reduce" });
+  await edit(page);
+  const missed = () => page.locator("#edit-checks tr.missed td:first-child").allTextContents();
+  assert.deepEqual(await missed(), []);
+  await scale(page, { coupler: 1.02 });
+  assert.deepEqual((await missed()).sort(), ["Swing", "Time ratio"]);
+  await close();
+});
+
 test("where a page cannot evaluate what is designed, no button offers it", () => opened("raster", "motion/slider-crank", {}, async (page) => {
   assert.ok(await page.locator(".edit-toggle").isHidden());
 }));

@@ -239,6 +239,13 @@ class = "crank-rocker"
          "[solve]\n" + solve;
 }
 
+/// The bound of the check `name`; nothing where the design is not checked for it.
+std::optional<Range> checked_range(const Design& design, const std::string& name) {
+  const auto check = std::ranges::find(design.constraints, name, &ConstraintCheck::name);
+  if (check == design.constraints.end()) return std::nullopt;
+  return std::get<Range>(check->bound);
+}
+
 TEST(ParetoFrontTest, BestTransmissionThatMeetsALine) {
   const Result best =
       solved(line("rms_error_max = 1e-6\n", "objectives = [\"transmission_angle\"]"));
@@ -246,6 +253,7 @@ TEST(ParetoFrontTest, BestTransmissionThatMeetsALine) {
   ASSERT_EQ(best.designs.size(), 1u);
   EXPECT_LE(best.designs[0].error.rms, 1e-6 * (1 + 1e-9));
   EXPECT_EQ(best.designs[0].constraints.back().name, "rms_error_max");
+  EXPECT_FALSE(checked_range(best.designs[0], "transmission_angle_deg")) << "not in the file";
   const double angle = best.designs[0].metrics.transmission_acute_min / kDegree;
   EXPECT_NEAR(angle, 67.1563, 1e-3);
   // A little less is met exactly, a little more is not.
@@ -294,6 +302,11 @@ TEST(ParetoFrontTest, SmallerLinkagesAndTheBoundOnTheirError) {
   ASSERT_EQ(front.designs.size(), 5u);
   expect_family_of(front, "longest_link", "rms_error");
   EXPECT_NEAR(front.designs.back().error.rms, 0.9, 1e-5);
+  for (const Design& design : front.designs) {
+    const auto bounds = checked_range(design, "bounds.crank");
+    ASSERT_TRUE(bounds);
+    EXPECT_EQ(bounds->max, 50);
+  }
   const double size = front.families[0].columns[0].values[2];
   std::string file = semicircle("", "designs = 1");
   const std::string all = "length = [5, 50]";

@@ -2,7 +2,7 @@
 
 import { byId, element, fact } from "./dom.js";
 import { duration, number, sentence } from "./format.js";
-import { showProblem } from "./problem.js";
+import { showProblem, withNamedLinks } from "./problem.js";
 import { language, say, sentenceOf, term } from "./words.js";
 
 const TONES = { solved: "good", done: "good", infeasible: "warn", "time-limit": "warn", interrupted: "warn", "no-solution": "bad" };
@@ -14,7 +14,7 @@ export function showHead(result, kind, summary, keys, ends = {}) {
   document.title = `${title} – Cognate`;
   byId("title").textContent = title;
   byId("kind").textContent = kind;
-  showProblem(result.problem, kind, (result.designs ?? []).flatMap(({ mechanism }) => mechanism?.dyad ?? []));
+  showProblem(result.problem, kind, withNamedLinks(result.problem, (result.designs ?? []).flatMap(({ mechanism }) => mechanism?.dyad ?? [])));
   byId("status").textContent = say(ends[result.status] ?? `status.${result.status}`);
   byId("status").classList.add(TONES[result.status]);
   // A time stays with its unit where a line ends.

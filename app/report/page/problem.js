@@ -24,6 +24,9 @@ const INTERVALS = /^(domain|.*_range(_deg)?|when|stroke|over_deg)$/;
 const OF_INTERVALS = ["bounds", "constraints"];
 const VECTORS = ["force", "centre", "gravity", "at", "pivot", "pivot_a", "pivot_d", "coupler_point", "through"];
 
+// What the two numbers of such a pair are called, where they are no coordinates of the plane.
+const PAIR_NAMES = { coupler_point: ["u", "v"], teeth: [say("gear.pinion"), say("gear.wheel")] };
+
 const FEW = 4;     // entries of a list that are shown
 const DIGITS = 7;
 const LONG = 120;  // characters of a text, likewise
@@ -73,7 +76,7 @@ function valueParts(value, key, scope) {
   if (isNumberPair(value) && (inBounds || INTERVALS.test(key))) return [`${number(value[0], DIGITS)} … ${number(value[1], DIGITS)}${unit}`];
   if (inBounds && value.length === 2 && value.every(isNumberPair)) {
     if (!isBox(value)) return joinedParts(value.map((range) => valueParts(range, key, scope)), say("list.comma"));
-    return [["x", "y"].map((axis, i) => `${axis} ${number(value[0][i], DIGITS)} … ${number(value[1][i], DIGITS)}`).join(say("list.comma"))];
+    return [(PAIR_NAMES[key] ?? ["x", "y"]).map((axis, i) => `${axis} ${number(value[0][i], DIGITS)} … ${number(value[1][i], DIGITS)}`).join(say("list.comma"))];
   }
   return [...(isNumberPair(value) && VECTORS.includes(key) ? bracketed(value) : listParts(value, key)), unit];
 }
@@ -82,8 +85,8 @@ function valueParts(value, key, scope) {
 const isBox = ([low, high]) => low.every((x, i) => x <= high[i]) && low.some((x, i) => x < high[i]);
 
 // The problem, the bounds of the links of `dyads` under their names.
-function withNamedLinks(problem, dyads) {
-  if (!problem.bounds) return problem;
+export function withNamedLinks(problem, dyads) {
+  if (!problem?.bounds) return problem;
   const links = new Map(dyads.filter(({ names }) => names).map(({ new: made, names }) => [made, names]));
   const bounds = Object.entries(problem.bounds).flatMap(([name, bound]) => (links.has(name) && Array.isArray(bound?.[0])
     ? bound.map((range, i) => [links.get(name)[i], range]) : [[name, bound]]));
@@ -126,11 +129,11 @@ function rowsOf([name, value]) {
   return rows.filter(([, parts]) => parts.length);
 }
 
-// `kind`: what the page calls the kind; `dyads`: of the designs, where there are such.
-export function showProblem(problem, kind, dyads = []) {
+// `kind`: what the page calls the kind; `shown`: the problem under the names that its designs have.
+export function showProblem(problem, kind, shown = problem) {
   byId("problem").hidden = !problem?.kind;
   if (!problem?.kind) return;
-  const described = Object.entries(withNamedLinks(problem, dyads)).filter(([key]) => !SHOWN_ELSEWHERE.includes(key)).flatMap(rowsOf);
+  const described = Object.entries(shown).filter(([key]) => !SHOWN_ELSEWHERE.includes(key)).flatMap(rowsOf);
   const aims = AIMS.filter((key) => !isEmpty(problem.solve?.[key] ?? null)).map((key) => [sentence(keyName(key, "")), valueParts(problem.solve[key], key, "solve")]);
   const unit = LENGTH_UNIT ? [[say("dimensions.lengths_in"), [LENGTH_UNIT]]] : [];
   byId("problem-list").replaceChildren(...[[say("problem.kind"), [kind]], ...unit, ...described, ...aims].flatMap(([name, parts]) => {

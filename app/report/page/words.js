@@ -43,7 +43,7 @@ export const knows = (key) => Object.hasOwn(WORDS[language].words, key);
 // A word or a name that the result holds in English, such as the class of a linkage.
 export function term(text) {
   if (Object.hasOwn(WORDS[language].terms ?? {}, text)) return WORDS[language].terms[text];
-  const [, pin] = /^slider-(\w+)$/.exec(text) ?? [];
+  const [, pin] = /^slider-([A-Z]\w*)$/.exec(text) ?? [];
   return pin ? say("part.slider_of", { pin }) : text;
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/basics/degrees.hpp"
 #include "problems/function/problem.hpp"
 #include "problems/guidance/problem.hpp"
 #include "problems/linkage/result.hpp"
@@ -150,6 +151,30 @@ TEST(BorderOptima, WhereALimitIsThatOfTheLeastLink) {
   ASSERT_EQ(result.status, Status::solved);
   const auto [crank, coupler, rocker, frame] = lengths(four_bar(result.designs.front()));
   EXPECT_NEAR(std::max({crank, coupler, rocker}) / frame, 3.925, 1e-6);
+}
+
+/// The best linkage of these noisy pairs comes to the edge of what closes between two samples:
+/// beyond it, it has a circuit defect. Each seed finds it, and within.
+TEST(BorderOptima, WhereTheLinkageHardlyClosesBetweenSamples) {
+  for (const std::uint64_t seed : {1, 2}) {
+    const auto problem = parse_task<FunctionProblem>(
+        "kind = \"function-generation\"\n[target]\nobjective = \"minimax\"\npairs_deg = ["
+        "[0, 0], [2.2, 8.1], [4.3, 4.1], [6.5, 6.2], [8.6, 7.3], [10.8, 11.1], [12.9, 11.3], "
+        "[15.1, 16.3], [17.2, 9.6], [19.4, 12.8], [21.5, 20.3], [23.7, 21.2], [25.8, 23.1], "
+        "[28, 20], [30.1, 18.4], [32.3, 26.7], [34.5, 24.3], [36.6, 24.2], [38.8, 23], [40.9, "
+        "30.7], [43.1, 31.7], [45.2, 26.8], [47.4, 31], [49.5, 34.7], [51.7, 32], [53.8, "
+        "42.2], [56, 34.7], [58.1, 37.4], [60.3, 36.2], [62.4, 37.7], [64.6, 47], [66.7, "
+        "42.4], [68.9, 40.7], [71.1, 47.7], [73.2, 47.3], [75.4, 47.2], [77.5, 45.9], [79.7, "
+        "50.6], [81.8, 51.7], [84, 49.8], [86.1, 54.7]"
+        "]\n[bounds]\ncoupler = [0.05, 20]\nrocker = [0.05, 20]\nframe = [0.05, 20]\n");
+    ASSERT_TRUE(problem);
+    const Result result = solve(*problem, {.seed = seed, .threads = 2});
+    ASSERT_EQ(result.status, Status::solved) << seed;
+    constexpr double kBest = 4.7050;  // degrees, of 20 seeds
+    EXPECT_LE(degrees(result.designs.front().error.max), kBest) << seed;
+    const auto [crank, coupler, rocker, frame] = lengths(four_bar(result.designs.front()));
+    EXPECT_LT(crank + frame, coupler + rocker) << seed;
+  }
 }
 
 }  // namespace

@@ -4,7 +4,7 @@ import { metricRows } from "../checks.js";
 import { problemFields, withPart } from "../edit/problem_model.js";
 import { withoutRounding } from "../rounding.js";
 import { say } from "../words.js";
-import { camMetrics, radiusKey } from "./facts.js";
+import { camMetrics, radiusKeyOf } from "./facts.js";
 
 // More numbers than these are no fields of a form.
 const MOST_NUMBERS = 120;
@@ -71,7 +71,7 @@ function sliderRange({ path }, value, problem) {
 }
 
 // A file's base radius is that of the circle about which the roller's centre lies.
-const labelOf = ({ key, label }, { follower: { type } }) => (key === "base_radius" ? say(`cam.${radiusKey({ flat: type.endsWith("flat"), knife: type.endsWith("knife") })}`) : label);
+const labelOf = ({ key, label }, { follower: { type } }) => (key === "base_radius" ? say(`cam.${radiusKeyOf(type)}`) : label);
 
 export function camFields(problem) {
   const all = problemFields(problem, ["mechanism", "motion", "follower", "drive", "contact", "constraints"]);

@@ -21,6 +21,17 @@ function lengthsOf({ flat, knife, oscillating }) {
 // base circle, about which the profile lies, is less by the roller's.
 export const radiusKey = ({ flat, knife }) => (flat || knife ? "base_radius" : "prime_radius");
 
+// The same of a follower as files name it.
+export const radiusKeyOf = (type) => radiusKey({ flat: type.endsWith("flat"), knife: type.endsWith("knife") });
+
+// A problem whose base radius bears the name of the circle that it is of.
+export function withNamedRadius(problem) {
+  if (!problem?.follower) return problem;
+  const radius = radiusKeyOf(problem.follower.type);
+  const named = (table) => Object.fromEntries(Object.entries(table).map(([key, value]) => [key === "base_radius" ? radius : key, value]));
+  return Object.fromEntries(Object.entries(problem).map(([name, table]) => [name, table && /^(mechanism|bounds)$/.test(name) ? named(table) : table]));
+}
+
 export const radiusText = (kind, radius, digits) => say(`head.${radiusKey(kind)}`, { value: number(radius, digits) });
 
 export function showCamDimensions({ drawn, kind, breadth }) {

@@ -21,7 +21,7 @@ import { camFields, camRows, givenCam } from "./edited.js";
 import { LENGTH_UNIT, say, sentenceOf } from "../words.js";
 import { Zoom } from "../zoom.js";
 import { showRaster } from "../design/raster.js";
-import { camCsv, camMetrics, CamValues, radiusText, showCamDimensions, showSegments } from "./facts.js";
+import { camCsv, camMetrics, CamValues, radiusText, showCamDimensions, showSegments, withNamedRadius } from "./facts.js";
 import { ToleranceCard } from "../tolerance/card.js";
 import { CamMover } from "../tolerance/of_cam.js";
 import { CamDesign } from "./model.js";
@@ -121,7 +121,7 @@ function showDesign() {
 function showEdited(drawn, problem) {
   edited = drawn && new CamDesign(drawn.designs[0], drawn);
   scene.original = drawn && designs[state.index].first;
-  showProblem(problem, kindName());
+  showProblem(problem, kindName(), withNamedRadius(problem));
   showNotes((drawn ?? result).notes ?? [], drawn ? [] : result.warnings);
   showWarnings(drawn ? {} : result.designs?.[state.index]);
   showDesign();

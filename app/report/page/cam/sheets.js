@@ -1,7 +1,7 @@
 // What is plotted of a cam over its turn.
 
 import { padded, TURN_STEPS } from "../curves.js";
-import { engineeringExponent, number, powerOfTen, sentence } from "../format.js";
+import { degreesShort, engineeringExponent, number, powerOfTen, sentence } from "../format.js";
 import { extremes, interpolate, locate, quantile } from "../sampling.js";
 import { say, withUnit } from "../words.js";
 import { greatestOf, leastOf } from "./model.js";
@@ -120,11 +120,18 @@ export function missesPressure(design, deg) {
   return angle > above + 1e-6 || -angle > below + 1e-6;
 }
 
+// Whether values go from one side of infinity to the other.
+const hasPole = (values) => values.some((v, i) => v === null && values[i - 1] * values[i + 1] < 0);
+
+// The sign of degrees follows its number without a space.
+const spanText = (least, greatest, unit) => (unit === "°" ? say("curves.range", { least: degreesShort(least, 4), greatest: degreesShort(greatest, 4) })
+  : say("curves.range_unit", { least: number(least, 4), greatest: number(greatest, 4), unit }).trim());
+
 // Least and greatest value in words, powers of ten taken out, and peaks cut that dwarf all else.
 function fitted(sheet) {
   const values = sheet.lines.flatMap((l) => l.y);
   const [least, greatest] = extremes(values);
-  const range = least === null ? say("curves.no_values") : say("curves.range_unit", { least: number(least, 4), greatest: number(greatest, 4), unit: sheet.unit }).trim();
+  const range = least === null ? say("curves.no_values") : sheet.lines.some(({ y }) => hasPole(y)) ? say("cam.unbounded") : spanText(least, greatest, sheet.unit);
   const usual = quantile(values, 0.8);
   const cut = sheet.spec.column === "radius" && quantile(values, 1) > 6 * usual;
   const exponent = engineeringExponent(cut ? usual : quantile(values, 1));

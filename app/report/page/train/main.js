@@ -118,7 +118,8 @@ const editor = Kernel.available && designs.length && result.problem && result.de
   ? new TableEditor({ call: "train", problem: result.problem, hint: say("edit.hint_train"), kept: areStates ? ["work"] : ["choice", "work"], first: () => givenTrain(result.problem, result.designs[state.index]),
     fields: trainFields, rows: (before, now) => trainRows(shownOf(before), shownOf(now)), checks: (now) => checkRows(shownOf(now).constraints), show: showEdited }) : null;
 if (!editor) offerNoEdit(say("edit.by_file"));
-showHead(result, say("kind.gear_train"), [designs.length > 1 ? say("count.designs", { n: designs.length }) : "", designs.length ? nameOf(designs[0]) : "", result.work ? duration(result.work.seconds) : ""], say("train.keys"));
+showHead(result, say("kind.gear_train"), [designs.length > 1 ? say(areStates ? "count.states" : "count.designs", { n: designs.length }) : "", designs.length && !areStates ? nameOf(designs[0]) : "", result.work ? duration(result.work.seconds) : ""], say("train.keys"));
+if (areStates) byId("choice-title").textContent = say("train.states");
 showNotes(result.notes ?? [], result.warnings);
 showWork(result.work);
 followTheme(() => {});
