@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 namespace cognate::app {
 
@@ -11,5 +12,8 @@ struct DesignRange {
   std::int64_t count = 0;
   bool operator==(const DesignRange&) const = default;
 };
+
+/// Of any study.
+inline constexpr DesignRange kAllDesigns{0, std::numeric_limits<std::int64_t>::max()};
 
 }  // namespace cognate::app

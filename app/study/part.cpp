@@ -3,33 +3,23 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
-#include <optional>
+
+#include "app/console/option_text.hpp"
 
 namespace cognate::app {
 namespace {
 
 constexpr std::int64_t kMostParts = 1'000'000;
 
-std::optional<std::int64_t> whole_number(std::string_view text) {
-  std::int64_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end) return std::nullopt;
-  return value;
-}
-
 }  // namespace
 
 tl::expected<StudyPart, std::string> parse_part(std::string_view text) {
   const auto slash = std::min(text.find('/'), text.size());
-  const auto number = whole_number(text.substr(0, slash));
-  const auto count = whole_number(text.substr(std::min(slash + 1, text.size())));
+  const auto number = parse_all<std::int64_t>(text.substr(0, slash));
+  const auto count = parse_all<std::int64_t>(text.substr(std::min(slash + 1, text.size())));
   if (!number || !count || *number < 1 || *number > *count || *count > kMostParts) {
-    return tl::unexpected(
-        fmt::format("--part: '{}' is not allowed; expected which part of how many, such as 2/5, of "
-                    "at most {}",
-                    text, kMostParts));
+    return refusal("--part", text,
+                   fmt::format("which part of how many, such as 2/5, of at most {}", kMostParts));
   }
   return StudyPart{*number, *count};
 }

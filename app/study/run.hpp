@@ -16,9 +16,9 @@ enum class StudyEnd { done, interrupted, time_limit };
 /// How a run is steered from outside.
 struct StudySteering {
   const std::atomic<bool>& interrupted;
-  std::optional<double> time_limit;  ///< seconds
-  std::function<void()> progress;    ///< called some times a second
-  DesignRange designs;               ///< which are to be evaluated
+  std::optional<double> time_limit;   ///< seconds
+  std::function<void()> progress;     ///< called some times a second
+  DesignRange designs = kAllDesigns;  ///< which are to be evaluated
 };
 
 /// Stores the blocks of `crew` until there are no more, or it is interrupted, or the time is over.

@@ -18,9 +18,9 @@ constexpr std::array<double L::*, 4> kLinks{&L::crank, &L::coupler, &L::rocker, 
 constexpr std::array<const char*, 6> kNames{"crank", "coupler",     "rocker",
                                             "frame", "input_start", "output_start"};
 /// How far solvers keep the transmission angle from 0 and 180°, in radians, where nothing else
-/// limits it: what they find closes between the samples too, since what counts as no violation of a
-/// cosine is less than the 4.5e-10 of this.
-constexpr double kClosingMargin = 3e-5;
+/// limits it, so that what they find closes between the samples too; and the weight of that row: a
+/// violation that counts as none is then 1e-14 of the cosine, less than the 4.5e-14 of the margin.
+constexpr double kClosingMargin = 3e-7, kClosingWeight = 1e4;
 
 double typical_length(const std::array<Range, 4>& ranges) {
   double logarithm = 0;
@@ -53,6 +53,7 @@ FunctionModel::FunctionModel(const FunctionProblem& problem, const FunctionSampl
   limits_sweep_ = limits_transmission || guards_closing;
   transmission_ = limits_transmission ? *problem.constraints.transmission_angle
                                       : Range{kClosingMargin, kPi - kClosingMargin};
+  sweep_weight_ = limits_transmission ? 1 : kClosingWeight;
   for (const auto& pair : wanted.samples) half_input_.push_back(unit_vector(0.5 * pair.input));
 }
 
@@ -193,14 +194,15 @@ void FunctionModel::sweep_constraints(const FunctionGenerator& g, std::span<doub
     const double c = std::cos(theta), s = std::sin(theta);
     const double diagonal = l1 * l1 + l4 * l4 - 2 * l1 * l4 * c;
     const double cosine = (l2 * l2 + l3 * l3 - diagonal) / (2 * l2 * l3);
-    values[i] = sense * (limit - cosine);
+    values[i] = sweep_weight_ * sense * (limit - cosine);
     const double by_angle = -l1 * l4 * s / (l2 * l3);
     const std::array plain{(l4 * c - l1) / (l2 * l3), 1 / l3 - cosine / l2, 1 / l2 - cosine / l3,
                            (l1 * c - l4) / (l2 * l3)};
     for (int k = 0; k < 4; ++k) {
-      slopes[i][k] = -sense * g.links.*kLinks[k] * (plain[k] + by_angle * input_slope.*kLinks[k]);
+      slopes[i][k] = -sweep_weight_ * sense * g.links.*kLinks[k] *
+                     (plain[k] + by_angle * input_slope.*kLinks[k]);
     }
-    slopes[i][4] = -sense * by_angle;
+    slopes[i][4] = -sweep_weight_ * sense * by_angle;
     slopes[i][5] = 0;
   }
 }

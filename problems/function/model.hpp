@@ -80,7 +80,8 @@ class FunctionModel final : public synthesis::Model {
   Assembly assembly_;
   synthesis::Objective objective_;
   bool limits_sweep_ = false;
-  Range transmission_;  ///< limits over the sweep: those of the file, else closure
+  Range transmission_;       ///< limits over the sweep: those of the file, else closure
+  double sweep_weight_ = 1;  ///< of their rows
   LinkageConstraints linkage_constraints_;
   CycleLimits cycle_limits_;
   std::array<double, kDimensions> fixed_{};

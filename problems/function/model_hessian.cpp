@@ -76,7 +76,7 @@ void FunctionModel::add_sweep_curvature(const FunctionGenerator& g, std::span<co
     for (int k = 0; k < 5 && !extreme.turns_with_start; ++k) {
       second[k][kInput] = second[kInput][k] = 0;
     }
-    out.add(-sense * weights[i],
+    out.add(-sweep_weight_ * sense * weights[i],
             {(l4 * c - l1) / (l2 * l3), 1 / l3 - cosine / l2, 1 / l2 - cosine / l3,
              (l1 * c - l4) / (l2 * l3)},
             second);

@@ -19,7 +19,7 @@ function lengthsOf({ flat, knife, oscillating }) {
 
 // Of a roller's cam, base_radius is that of the prime circle, about which the pitch curve lies; that of the
 // base circle, about which the profile lies, is less by the roller's.
-export const radiusKey = ({ flat, knife }) => (flat || knife ? "base_radius" : "prime_radius");
+const radiusKey = ({ flat, knife }) => (flat || knife ? "base_radius" : "prime_radius");
 
 // The same of a follower as files name it.
 export const radiusKeyOf = (type) => radiusKey({ flat: type.endsWith("flat"), knife: type.endsWith("knife") });

@@ -2,6 +2,7 @@
 // problems/linkage/constraint_checks.cpp says of them, for those that lengths, angles and defects settle.
 
 import { RADIANS } from "../sampling.js";
+import { say } from "../words.js";
 import { lengthOf, minus } from "./four_bar.js";
 
 const CHECK_TOLERANCE = 1e-9;
@@ -12,8 +13,8 @@ const SWING_TOLERANCE = 0.01;
 // What a file specifies that designs meet by their synthesis, and that results do not check: those edited may lose it.
 export function specifiedChecks({ kind, target = {}, mechanism = {}, raster = null }) {
   const equality = (name, label, bound, unit) => (typeof bound === "number" ? [{ name, label, bound, unit, relation: "=" }] : []);
-  const stroke = kind === "quick-return" ? [...equality("time_ratio", "time ratio", target.time_ratio, ""), ...equality("swing_deg", "swing", mechanism.swing_deg, "deg")] : [];
-  return [...stroke, ...(raster ? [{ name: "raster", label: "raster", bound: null }] : [])];
+  const stroke = kind === "quick-return" ? [...equality("time_ratio", say("check.time_ratio"), target.time_ratio, ""), ...equality("swing_deg", say("check.swing"), mechanism.swing_deg, "deg")] : [];
+  return [...stroke, ...(raster ? [{ name: "raster", label: say("check.raster"), bound: null }] : [])];
 }
 
 // The numbers that checks of single dimensions are named after.
