@@ -1,9 +1,11 @@
 // The pages of exact syntheses: designs of every type, poses, curves and families.
 import assert from "node:assert/strict";
-import { statSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
+import os from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { LOOKS, assertFits, assertInked, distance, hasCurves, launch, some, visit as visitReport, withoutPlots } from "./browser.mjs";
+import { reported } from "./told.mjs";
+import { LOOKS, assertFits, assertInked, distance, hasCurves, launch, open, some, visit as visitReport, withoutPlots } from "./browser.mjs";
 
 const still = { motion: "reduce" };
 let browser;
@@ -165,3 +167,28 @@ test("an edited design has no precision points", { skip: withoutPlots }, () => v
   await page.locator('[data-field="coupler"]').press("Tab");
   assert.doesNotMatch(await page.locator("#plots .plot p").nth(1).textContent(), /precision points/);
 }));
+
+test("the structural error of an exact slider-crank is that of its closure, and vanishes at Chebyshev's points", async () => {
+  const folder = mkdtempSync(path.join(os.tmpdir(), "cognate-slider-"));
+  const text = readFileSync(new URL("../../problems/library/function/slider-crank-square.toml", import.meta.url), "utf8");
+  const { page, faults, close } = await open(browser, reported(folder, "square", text), still);
+  const { result: { designs }, designs: drawn } = await page.evaluate(() => JSON.parse(document.getElementById("data").textContent));
+  // The third has links so long that angles of seven digits say nothing.
+  for (const [i, { mechanism: { crank, coupler, offset, assembly }, metrics, error }] of designs.slice(0, 2).entries()) {
+    const { x, crank_deg: degrees, error: errors } = drawn[i].trace;
+    assert.equal(errors.length, 201);
+    degrees.forEach((deg, k) => {
+      const angle = deg * Math.PI / 180;
+      const along = crank * Math.cos(angle) + (assembly === "open" ? 1 : -1) * Math.sqrt(coupler ** 2 - (crank * Math.sin(angle) - offset) ** 2);
+      assert.ok(Math.abs(along - metrics.output_start - 100 * x[k] ** 2 - errors[k]) < 2e-6 * (crank + coupler), `design ${i + 1} at ${deg}`);
+    });
+    assert.ok(Math.abs(Math.max(...errors.map(Math.abs)) - error.max) < 0.01 * error.max);
+  }
+  if (hasCurves) {
+    const note = await page.locator("#plots p", { hasText: "precision points" }).textContent();
+    for (let k = 1; k <= 5; ++k) assert.ok(note.includes(String(Number((0.5 - 0.5 * Math.cos((2 * k - 1) * Math.PI / 10)).toPrecision(4)))), `${k} in ${note}`);
+  }
+  assert.deepEqual(faults, []);
+  await close();
+  rmSync(folder, { recursive: true });
+});

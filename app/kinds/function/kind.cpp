@@ -101,7 +101,8 @@ ordered_json Kind<problems::FunctionProblem>::target_json(
 ordered_json Kind<problems::FunctionProblem>::reached_json(const problems::FunctionProblem& problem,
                                                            const problems::Design& design) {
   const auto wanted = problems::function_samples(problem);
-  return {{"trace", trace_json(function_trace(problem, wanted, design))}};
+  const bool slides = problem.type == problems::MechanismType::slider_crank;
+  return {{"trace", trace_json(function_trace(problem, wanted, design), slides)}};
 }
 
 }  // namespace cognate::app
