@@ -98,8 +98,11 @@ double backlash(const SpurPair& pair, double working_angle) {
 }
 
 /// v_own − v_other over v_own, where `own` and `other` are distances from the base tangents'
-/// points.
-double specific_sliding(double own, double own_teeth, double other, double other_teeth) {
+/// points. On the line of action a millionth of the module is nothing: the flank then begins on its
+/// base circle.
+double specific_sliding(double own, double own_teeth, double other, double other_teeth,
+                        double module) {
+  if (std::abs(own) <= 1e-6 * module) return -std::numeric_limits<double>::infinity();
   return 1 - other * own_teeth / (own * other_teeth);
 }
 
@@ -141,8 +144,9 @@ GearInMesh gear_in_mesh(const SpurPair& pair, const LineOfAction& line, int inde
   gear.contact_start = std::hypot(base, start);
   gear.contact_end = std::hypot(base, end);
   gear.tip_clearance = pair.centre_distance - flank_end_radius(own) - root_radius(other);
-  gear.sliding_start = specific_sliding(start, own.teeth, line.length - start, other.teeth);
-  gear.sliding_end = specific_sliding(end, own.teeth, line.length - end, other.teeth);
+  gear.sliding_start =
+      specific_sliding(start, own.teeth, line.length - start, other.teeth, own.module);
+  gear.sliding_end = specific_sliding(end, own.teeth, line.length - end, other.teeth, own.module);
   return gear;
 }
 
