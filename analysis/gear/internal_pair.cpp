@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/gear/involute.hpp"
+#include "analysis/gear/line_of_action.hpp"
 #include "analysis/numbers/constants.hpp"
 
 namespace cognate::gear {
@@ -103,8 +104,8 @@ GearInMesh pinion_in_mesh(const InternalPair& pair, const InternalLine& line, do
   own.interference = passing(line.pinion_form - line.ring_tip, pair.pinion.module);
   if (is_undercut(pair.pinion)) own.interference = passing(-line.ring_tip, pair.pinion.module);
   own.tip_clearance = root_radius(pair.ring) - pair.centre_distance - flank_end_radius(pair.pinion);
-  own.sliding_start = 1 - (start + line.offset) / (ratio * start);
-  own.sliding_end = 1 - (end + line.offset) / (ratio * end);
+  own.sliding_start = specific_sliding(start, (start + line.offset) / ratio, pair.pinion.module);
+  own.sliding_end = specific_sliding(end, (end + line.offset) / ratio, pair.pinion.module);
   return own;
 }
 

@@ -52,4 +52,10 @@ std::optional<DistanceRange> distances_in_contact(const std::array<SpurGear, 2>&
   return least <= greatest ? std::optional(DistanceRange{least, greatest}) : std::nullopt;
 }
 
+double specific_sliding(double own, double other, double module) {
+  constexpr double kNothing = 1e-6;
+  if (std::abs(own) <= kNothing * module) return -kInfinity;
+  return 1 - other / own;
+}
+
 }  // namespace cognate::gear

@@ -25,6 +25,12 @@ struct LineOfAction {
 
 LineOfAction line_of_action(const SpurPair& pair);
 
+/// Specific sliding of a flank, v_own − v_other over v_own as ISO 21771 has it. `own`: distance of
+/// the contact from where the line of action touches the own base circle; `other`: the other
+/// flank's velocity in units in which the own one is that distance. −∞ where contact is on the base
+/// circle: on the line of action a millionth of the module is nothing.
+double specific_sliding(double own, double other, double module);
+
 /// Centre distances from `least` to `greatest`.
 struct DistanceRange {
   double least = 0, greatest = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/gear/line_of_action.hpp"
 #include "analysis/numbers/constants.hpp"
 
 namespace cognate::gear {
@@ -57,8 +58,8 @@ PairGeometry geometry(const RackPair& pair) {
   own.contact_end = std::hypot(base, end);
   own.interference = passing_of((is_undercut(pinion) ? 0 : pinion_form) - rack_tip, module);
   own.tip_clearance = pair.distance + root_depth(pair) - tip;
-  own.sliding_start = 1 - pitch_point / start;
-  own.sliding_end = 1 - pitch_point / end;
+  own.sliding_start = specific_sliding(start, pitch_point, module);
+  own.sliding_end = specific_sliding(end, pitch_point, module);
   GearInMesh& rack = mesh.gears[1];
   rack.working_radius = rack.contact_start = rack.contact_end = kInfinity;
   rack.interference = passing_of(pinion_tip - rack_form, module);

@@ -97,15 +97,6 @@ double backlash(const SpurPair& pair, double working_angle) {
   return std::abs(angle) <= kRounding ? 0 : 2 * pair.centre_distance * angle;
 }
 
-/// v_own − v_other over v_own, where `own` and `other` are distances from the base tangents'
-/// points. On the line of action a millionth of the module is nothing: the flank then begins on its
-/// base circle.
-double specific_sliding(double own, double own_teeth, double other, double other_teeth,
-                        double module) {
-  if (std::abs(own) <= 1e-6 * module) return -std::numeric_limits<double>::infinity();
-  return 1 - other * own_teeth / (own * other_teeth);
-}
-
 /// 0 of what is rounding: of gears so large that they are nearly racks lengths are no better known.
 double if_any(double interference, const SpurPair& pair) {
   constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
@@ -144,9 +135,11 @@ GearInMesh gear_in_mesh(const SpurPair& pair, const LineOfAction& line, int inde
   gear.contact_start = std::hypot(base, start);
   gear.contact_end = std::hypot(base, end);
   gear.tip_clearance = pair.centre_distance - flank_end_radius(own) - root_radius(other);
-  gear.sliding_start =
-      specific_sliding(start, own.teeth, line.length - start, other.teeth, own.module);
-  gear.sliding_end = specific_sliding(end, own.teeth, line.length - end, other.teeth, own.module);
+  const auto sliding = [&](double at) {
+    return specific_sliding(at, (line.length - at) * own.teeth / other.teeth, own.module);
+  };
+  gear.sliding_start = sliding(start);
+  gear.sliding_end = sliding(end);
   return gear;
 }
 

@@ -45,8 +45,8 @@ class StudyProcesses;
 /// What `cognate sweep` alone takes.
 struct SweepOptions {
   StudyPart part;  ///< the designs that are evaluated
-  std::vector<std::filesystem::path>
-      merged;  ///< files of the same study, whose rows are taken over
+  /// Files of the same study, whose rows are taken over.
+  std::vector<std::filesystem::path> merged;
 };
 
 /// Takes over the rows of other files of the study in `file`, then evaluates the designs that are

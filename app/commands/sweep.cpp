@@ -71,8 +71,11 @@ std::vector<std::string> merge(const Sweep& sweep, StudyDatabase& database) {
   }
   const auto& interrupted = catch_interrupts();
   std::vector<std::string> notes;
+  const auto evaluated = [&] { return database.counts().evaluated; };
+  Progress progress(sweep.options.quiet, interrupted, evaluated(), sweep.total());
   for (OtherStudyFile& other : others) {
-    const std::int64_t designs = other.store_in(database, interrupted);
+    const std::int64_t designs =
+        other.store_in(database, interrupted, [&] { progress.update(evaluated()); });
     notes.push_back(fmt::format("{} designs taken over from {}", grouped(designs),
                                 printable(other.file().string())));
   }

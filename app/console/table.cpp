@@ -62,8 +62,8 @@ std::string certificate_line(const Result& result) {
   }
   return fmt::format(
       "not certified in the time given: sum of squares {:.10g}, its minimum at least {:.10g} "
-      "(gap {:.2g}), {}\n",
-      proof.upper_bound, proof.lower_bound, proof.gap_relative, among);
+      "(gap {:.2g} %), {}\n",
+      proof.upper_bound, proof.lower_bound, 100 * proof.gap_relative, among);
 }
 
 /// Of the best design: those of the others are in the result.

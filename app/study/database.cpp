@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "app/study/checksum.hpp"
+#include "app/study/read_rows.hpp"
 #include "app/study/schema.hpp"
 #include "problems/study/names.hpp"
 
@@ -102,15 +103,6 @@ StudyCounts counts_of(const StudyBlock& block) {
 std::array<std::int64_t*, 7> fields(StudyCounts& counts) {
   return {&counts.evaluated,  &counts.kept,        &counts.filtered, &counts.solved,
           &counts.infeasible, &counts.no_solution, &counts.invalid};
-}
-
-/// Adds the row on which `statement`, a SELECT * FROM runs, stands.
-void add_row(StudyBlock& block, const SqliteStatement& statement, int width) {
-  block.ids.push_back(statement.integer(0));
-  for (int i = 1; i <= width; ++i) block.cells.push_back(statement.cell(i));
-  const auto status = problems::from_string<RunStatus>(statement.text(width + 1));
-  if (!status) throw SqliteError(SQLITE_CORRUPT, "a row has an unknown status");
-  block.statuses.push_back(*status);
 }
 
 /// As check_rows() finds it again in the file.

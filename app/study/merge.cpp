@@ -41,7 +41,8 @@ OtherStudyFile::OtherStudyFile(const fs::path& file, const fs::path& own,
   database_.emplace(target, study, origin);
 }
 
-std::int64_t OtherStudyFile::store_in(StudyDatabase& own, const std::atomic<bool>& stopped) {
+std::int64_t OtherStudyFile::store_in(StudyDatabase& own, const std::atomic<bool>& stopped,
+                                      const std::function<void()>& progress) {
   const auto gaps = own.missing();
   std::int64_t stored = 0;
   database_->for_each_block([&](const problems::StudyBlock& block) {
@@ -49,6 +50,7 @@ std::int64_t OtherStudyFile::store_in(StudyDatabase& own, const std::atomic<bool
       own.store(block);
       own.tick();
       stored += block.count;
+      progress();
     }
     return !stopped;
   });

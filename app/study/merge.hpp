@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 #include "app/study/database.hpp"
@@ -19,9 +20,10 @@ class OtherStudyFile {
   OtherStudyFile(const std::filesystem::path& file, const std::filesystem::path& own,
                  const problems::Study& study, const StudyOrigin& origin);
 
-  /// Stores in `own` those of its blocks of which no design is there, until `stopped`; how many
-  /// designs these were. Throws as StudyDatabase does.
-  std::int64_t store_in(StudyDatabase& own, const std::atomic<bool>& stopped);
+  /// Stores in `own` those of its blocks of which no design is there, until `stopped`, and calls
+  /// `progress` after each; how many designs these were. Throws as StudyDatabase does.
+  std::int64_t store_in(StudyDatabase& own, const std::atomic<bool>& stopped,
+                        const std::function<void()>& progress);
 
   const std::filesystem::path& file() const { return database_->file(); }
 

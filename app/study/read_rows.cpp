@@ -52,15 +52,6 @@ void add_others(SqliteDatabase& database, std::set<std::int64_t>& ids, std::size
   }
 }
 
-/// Adds the row on which `statement`, a SELECT * FROM runs, stands.
-void add_row(StudyRows& rows, const SqliteStatement& statement) {
-  rows.ids.push_back(statement.integer(0));
-  const int width = static_cast<int>(rows.columns.size());
-  for (int i = 1; i <= width; ++i) rows.cells.push_back(statement.cell(i));
-  const auto status = problems::from_string<problems::RunStatus>(statement.text(width + 1));
-  rows.statuses.push_back(status.value_or(problems::RunStatus::invalid));
-}
-
 /// The rows of `ids` in their order.
 template <class Numbers>
 StudyRows rows_of(SqliteDatabase& database, const problems::Study& study, const Numbers& ids) {
@@ -69,7 +60,7 @@ StudyRows rows_of(SqliteDatabase& database, const problems::Study& study, const 
   auto row = database.prepare("SELECT * FROM runs WHERE id = ?");
   for (const auto id : ids) {
     row.bind(1, id);
-    if (row.step()) add_row(rows, row);
+    if (row.step()) add_row(rows, row, static_cast<int>(rows.columns.size()));
     row.reset();
   }
   return rows;

@@ -1,6 +1,8 @@
 /// @file Rows of a study file.
 #pragma once
 
+#include <sqlite3.h>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,12 +11,24 @@
 
 #include "app/study/rows.hpp"
 #include "app/study/sqlite.hpp"
+#include "problems/study/names.hpp"
 #include "problems/study/study.hpp"
 
 namespace cognate::app {
 
 /// How many of the best rows are printed and stand in the summary.
 inline constexpr std::size_t kListedRows = 10;
+
+/// Adds to `rows`, StudyRows or a block of a study, the row of `width` cells on which `statement`,
+/// a SELECT * FROM runs, stands. Throws SqliteError where its status is none.
+template <class Rows>
+void add_row(Rows& rows, const SqliteStatement& statement, int width) {
+  rows.ids.push_back(statement.integer(0));
+  for (int i = 1; i <= width; ++i) rows.cells.push_back(statement.cell(i));
+  const auto status = problems::from_string<problems::RunStatus>(statement.text(width + 1));
+  if (!status) throw SqliteError(SQLITE_CORRUPT, "a row has an unknown status");
+  rows.statuses.push_back(*status);
+}
 
 /// The best rows, at most `most` of them, best first: by the objective, or of the front of several
 /// an even selection in the order of the first; none without objective. All throw SqliteError.

@@ -112,7 +112,9 @@ Result solve(const LegProblem& given, const Run& run) {
   const LegProblem& problem = *valid;
   const Deadline deadline(run);
   std::vector<LegSpace> spaces;
-  for (const Topology& topology : problem.topologies) spaces.emplace_back(problem, topology);
+  if (!is_given(problem)) {
+    for (const Topology& topology : problem.topologies) spaces.emplace_back(problem, topology);
+  }
   bool closes = false;
   const auto source = is_given(problem) ? DesignSource::exact : DesignSource::search;
   Result result = solve_in_layers(problem, run, source, [&](const LegProblem& one, const Run& own) {

@@ -152,7 +152,7 @@ TEST(Table, SaysWhatIsProved) {
   result.certificate->complete = false;
   const std::string open = design_table(planted_path(), result, {});
   EXPECT_TRUE(contains(open, "not certified in the time given"));
-  EXPECT_TRUE(contains(open, "at least 0.5 (gap 0.2)"));
+  EXPECT_TRUE(contains(open, "at least 0.5 (gap 20 %)"));
 }
 
 TEST(Table, GivesFunctionErrorsInDegrees) {

@@ -25,10 +25,10 @@ constexpr std::array kClasses{"crank-rocker", "double-crank", "rocker-crank", "d
                               "triple-rocker"};
 
 template <class Problem>
-Result solved(const std::string& text) {
+Result solved(const std::string& text, std::uint64_t seed = 1) {
   const auto problem = parse_task<Problem>(text);
   EXPECT_TRUE(problem) << problem.error().front().message;
-  return problem ? solve(*problem, {.threads = 2}) : Result{};
+  return problem ? solve(*problem, {.seed = seed, .threads = 2}) : Result{};
 }
 
 /// `greatest`: by the greatest error, not by the root mean square.
@@ -117,7 +117,7 @@ TEST(BorderOptima, OfTimedPaths) {
 TEST(BorderOptima, WherePointsThatAreNotTimedExceedALimitByLittle) {
   constexpr double kPlantedSquares = 2.8083574854662344e-06;
   for (const std::uint64_t seed : {1, 3}) {
-    const auto problem = parse_task<PathProblem>(
+    const Result result = solved<PathProblem>(
         "kind = \"path-generation\"\n[target]\npoints = [[1.6975049567107643, "
         "-0.8826871411989075], [1.6018468223224305, -0.9469781811578921], [1.532643812396854, "
         "-0.9817001271832249], [0.9152666701425262, -0.9304245068091626], [0.8652676695677579, "
@@ -127,9 +127,8 @@ TEST(BorderOptima, WherePointsThatAreNotTimedExceedALimitByLittle) {
         "\"free\", \"free\"]\ncrank_sense = \"cw\"\n[constraints]\nclass = "
         "\"triple-rocker\"\ntransmission_angle_deg = [58.435219364808454, "
         "80.6585892003361]\npivot_region = [[0.6137525764352463, -0.2666228387266124], "
-        "[2.1316575454679576, 0.5921475880553669]]\n");
-    ASSERT_TRUE(problem);
-    const Result result = solve(*problem, {.seed = seed, .threads = 2});
+        "[2.1316575454679576, 0.5921475880553669]]\n",
+        seed);
     ASSERT_EQ(result.status, Status::solved) << seed;
     EXPECT_LE(result.designs.front().error.sum_of_squares, kPlantedSquares) << seed;
   }
@@ -157,7 +156,7 @@ TEST(BorderOptima, WhereALimitIsThatOfTheLeastLink) {
 /// beyond it, it has a circuit defect. Each seed finds it, and within.
 TEST(BorderOptima, WhereTheLinkageHardlyClosesBetweenSamples) {
   for (const std::uint64_t seed : {1, 2}) {
-    const auto problem = parse_task<FunctionProblem>(
+    const Result result = solved<FunctionProblem>(
         "kind = \"function-generation\"\n[target]\nobjective = \"minimax\"\npairs_deg = ["
         "[0, 0], [2.2, 8.1], [4.3, 4.1], [6.5, 6.2], [8.6, 7.3], [10.8, 11.1], [12.9, 11.3], "
         "[15.1, 16.3], [17.2, 9.6], [19.4, 12.8], [21.5, 20.3], [23.7, 21.2], [25.8, 23.1], "
@@ -166,11 +165,10 @@ TEST(BorderOptima, WhereTheLinkageHardlyClosesBetweenSamples) {
         "42.2], [56, 34.7], [58.1, 37.4], [60.3, 36.2], [62.4, 37.7], [64.6, 47], [66.7, "
         "42.4], [68.9, 40.7], [71.1, 47.7], [73.2, 47.3], [75.4, 47.2], [77.5, 45.9], [79.7, "
         "50.6], [81.8, 51.7], [84, 49.8], [86.1, 54.7]"
-        "]\n[bounds]\ncoupler = [0.05, 20]\nrocker = [0.05, 20]\nframe = [0.05, 20]\n");
-    ASSERT_TRUE(problem);
-    const Result result = solve(*problem, {.seed = seed, .threads = 2});
+        "]\n[bounds]\ncoupler = [0.05, 20]\nrocker = [0.05, 20]\nframe = [0.05, 20]\n",
+        seed);
     ASSERT_EQ(result.status, Status::solved) << seed;
-    constexpr double kBest = 4.7050;  // degrees, of 20 seeds
+    constexpr double kBest = 4.70492;  // degrees, by differential evolution over the law of cosines
     EXPECT_LE(degrees(result.designs.front().error.max), kBest) << seed;
     const auto [crank, coupler, rocker, frame] = lengths(four_bar(result.designs.front()));
     EXPECT_LT(crank + frame, coupler + rocker) << seed;
