@@ -14,8 +14,9 @@
 namespace cognate::problems {
 namespace {
 
-constexpr double kDutyStep = 0.02;   ///< between duty factors that are tried
-constexpr double kSameDuty = 1e-10;  ///< relative
+constexpr double kDutyStep = 0.02;    ///< between duty factors that are tried
+constexpr double kSameDuty = 1e-10;   ///< relative
+constexpr double kSameStride = 1e-6;  ///< relative
 
 /// Duty factors to be tried, the greatest first.
 std::vector<double> tried_duties(double least) {
@@ -40,7 +41,10 @@ std::vector<double> duties_of_stride(const LegProblem& problem, const NamedMecha
     if (below == 0) found.push_back(tried[i]);
     if (below * above < 0) {
       const auto ends = bracket_zero(excess, tried[i], below, tried[i - 1], above, kSameDuty);
-      found.push_back(better_end(excess, ends));
+      const double duty = better_end(excess, ends);
+      // Where the stance leaps to another part of the path, so does the stride.
+      const bool is_met = std::abs(excess(duty)) <= kSameStride * problem.target.stride;
+      if (is_met) found.push_back(duty);
     }
     above = below;
   }

@@ -102,6 +102,32 @@ class Given(unittest.TestCase):
             steady = [(a, b) for a, b in zip(beyond, beyond[1:]) if abs(a - b) < 0.06 * stride]
             self.assertTrue(all(a * b > 0 for a, b in steady), (metrics["duty"], beyond))
 
+    def test_of_two_stances_the_longest_within_the_limits(self):
+        """The foot of a changed leg of Jansen's rests elsewhere from a duty factor of 0.47 on: two stances have one
+        stride, and between them it leaps over that."""
+        chain = published("jansen-leg")
+        lengths = [[50.22, 43.6], [58.09, 38.87], [38.38, 35.23]]
+        chain.dyads = [{**dyad, "lengths": own} for dyad, own in zip(chain.dyads, lengths)]
+        path, stride = self.path_of(chain, "P"), 40
+
+        def duty_between(low, high):
+            for _ in range(12):
+                middle = (low + high) / 2
+                low, high = (middle, high) if leg_test.gait(path, middle)["stride"] < stride else (low, middle)
+            return low
+
+        short, long = duty_between(0.38, 0.45), duty_between(0.475, 0.5)
+        flatness = [leg_test.gait(path, duty)["flatness"] for duty in (short, long)]
+        self.assertLess(flatness[0], 0.1)
+        self.assertGreater(flatness[1], 0.1)
+        for most, wanted, status in ((1, long, "solved"), (0.1, short, "solved"), (0.05, long, "infeasible")):
+            result = solved(given_file(chain, "P", f'objective = "duty"\nduty = 0.3\nflatness_max = {most}\n'
+                                                   f"stride = {stride}\n"))
+            metrics = result["designs"][0]["metrics"]
+            self.assertEqual(result["status"], status)
+            self.assertAlmostEqual(metrics["duty"], wanted, delta=5e-4)
+            self.assertAlmostEqual(metrics["stride"], stride, delta=1e-6 * stride)
+
     def test_a_stride_that_no_stance_has(self):
         chain = published("klann-leg")
         result = solved(given_file(chain, "F", 'objective = "duty"\nduty = 0.5\nflatness_max = 0.2\nstride = 9\n'))

@@ -45,13 +45,17 @@ def distances(mechanism):
 
 def lowest_window(path, steps):
     """Where the window of so many steps begins whose highest level is least, by a table of maxima over
-    powers of two."""
-    best, width = [z.imag for z in path] * 2, 1
+    powers of two; of those below one peak, that whose ends are level, the lowest."""
+    levels = [z.imag for z in path]
+    best, width = levels * 2, 1
     while 2 * width <= steps + 1:
         best = [max(a, b) for a, b in zip(best, best[width:])]
         width *= 2
     tops = [max(best[i], best[i + steps + 1 - width]) for i in range(len(path))]
-    return min(range(len(path)), key=tops.__getitem__)
+    least, count = min(tops), len(path)
+    fall = [levels[i] - levels[(i + steps) % count] for i in range(count)]
+    level = [i for i in range(count) if tops[i] == least and fall[i] * fall[(i + 1) % count] <= 0]
+    return min(level, key=levels.__getitem__) if level else tops.index(least)
 
 
 def gait(path, duty, first=None):
