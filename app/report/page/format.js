@@ -19,6 +19,10 @@ export function number(x, digits = 5) {
   return String(Number(x.toPrecision(digits))).replace("-", "−");
 }
 
+// A text with its numbers as this page writes them: "-78.79" and "1.3e+04" have a true minus and a power of ten.
+export const writtenOut = (text) => text.replace(/(?<![\w.])(-?)(\d+(?:\.\d+)?)(?:e([+-]?\d+))?(?![\w-])/g,
+  (_, sign, digits, exponent) => `${sign && "−"}${digits}${exponent ? `×${powerOfTen(Number(exponent))}` : ""}`);
+
 // `x` with a fixed count of decimals, so that running values do not jump about.
 export function fixed(x, decimals) {
   if (x === null || x === undefined || !Number.isFinite(x)) return "–";

@@ -1,6 +1,7 @@
 // The texts of the page in the reader's language, of those of the files of page/words.
 
 import { embedded } from "./embedded.js";
+import { writtenOut } from "./format.js";
 
 export const WORDS = JSON.parse(embedded("words"));
 export const LANGUAGES = Object.keys(WORDS);
@@ -53,10 +54,12 @@ export const keyword = (text) => WORDS[language].keys?.[text] ?? WORDS[language]
 
 // A sentence that the result holds in English, translated where it has the form of one that is known;
 // {0}, {1}, … stand for its numbers, names and parts that are sentences of their own.
-export function sentenceOf(text) {
+export const sentenceOf = (text) => writtenOut(translated(text));
+
+function translated(text) {
   for (const { form, forms } of SENTENCES) {
     const found = form.exec(text);
-    if (found) return forms.replace(/\{(\d+)\}/g, (_, i) => sentenceOf(found[Number(i) + 1]));
+    if (found) return forms.replace(/\{(\d+)\}/g, (_, i) => translated(found[Number(i) + 1]));
   }
   return term(text);
 }

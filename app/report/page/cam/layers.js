@@ -5,6 +5,9 @@ import { quantile, RADIANS } from "../sampling.js";
 import { arrowPath, pathThrough, round, sectorPath } from "../shapes.js";
 import { along, rotated } from "./model.js";
 
+// Pixels between the common normal and the name of the angle.
+const NAME_ROOM = 26;
+
 // Teeth along the profile as long as it is curved there, and the line through their tips.
 export function combPath(body, scale, radius) {
   const { profile, curvature } = body;
@@ -70,7 +73,9 @@ export class PressureLayer {
     this.wedge.classList.toggle("missed", missed);
     const [x, y] = this.local(contact).map(round);
     set(this.dot, { cx: x, cy: y });
-    return along(way.from, rotated([1, 0], from + turn / 2), size + 24 / this.scale);
+    // The angle's name stands beside the normal, away from the follower's stem.
+    const beside = (NAME_ROOM / this.scale / size) * Math.sign(turn || 1) / RADIANS;
+    return along(way.from, rotated([1, 0], from + turn + beside), size);
   }
 }
 

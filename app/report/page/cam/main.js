@@ -81,7 +81,8 @@ const circleName = (kind) => say(kind.flat || kind.knife ? "legend.base" : "lege
 
 function showLegend() {
   const { kind } = current();
-  const strokes = current().drawn.strokes.length ? [legendItem("rise", "line", say("stroke.rise")), legendItem("fall", "line", say("stroke.return")), legendItem("dwell", "line", say("stroke.dwell"))] : [];
+  const present = new Set(current().drawn.strokes.map(({ stroke }) => stroke));
+  const strokes = [["rise", "rise", say("stroke.rise")], ["return", "fall", say("stroke.return")], ["dwell", "dwell", say("stroke.dwell")]].filter(([stroke]) => present.has(stroke)).map(([, colour, name]) => legendItem(colour, "line", name));
   const of = { pitch: kind.flat ? [] : [legendItem("curve", "line", say(kind.knife ? "legend.path_of_edge" : "legend.pitch"))], base: [legendItem("ground", "dashed", circleName(kind))],
     pressure: [legendItem("error", "line", say("legend.pressure"))], velocity: [legendItem("crank", "line", say("legend.velocity_cam")), legendItem("velocity", "line", say("legend.velocity_follower"))],
     comb: [legendItem("link-c", "line", say("legend.comb"))], envelope: [legendItem("link-b", "line", say("legend.envelope"))] };

@@ -44,12 +44,29 @@ function axesSign() {
 }
 const placeText = (view, [x, y, deg]) => `translate(${view.screen([x, y]).map(round).join(" ")}) rotate(${round(-deg)})`;
 
-// The axes of each pose that the body is to take, with its number.
-function poseMarks(view, poses) {
+// Where beside a pose its number may stand, as angles from its first axis, and how far from it.
+const NUMBER_PLACES = [225, 135, 315, 45];
+const NUMBER_AWAY = 14;
+// Names of pivots stand on either side below them.
+const PIVOT_NAME = 22;
+
+// Of those places the one farthest from all that is `taken`, in pixels.
+function numberPlace(view, [x, y, deg], taken) {
+  const [px, py] = view.screen([x, y]);
+  const room = (place) => {
+    const angle = (deg + place) * RADIANS;
+    return Math.min(...taken.map(([qx, qy]) => Math.hypot(px + NUMBER_AWAY * Math.cos(angle) - qx, py - NUMBER_AWAY * Math.sin(angle) - qy)));
+  };
+  return NUMBER_PLACES.reduce((best, place) => (room(place) > 1.2 * room(best) ? place : best));
+}
+
+// The axes of each pose that the body is to take, with its number beside what else stands still.
+function poseMarks(view, poses, pivots) {
+  const still = [...poses.map((p) => view.screen(p)), ...pivots.map((p) => view.screen(p)).flatMap(([x, y]) => [[x, y], [x - PIVOT_NAME, y + 12], [x + PIVOT_NAME, y + 12]])];
   return poses.map((pose, i) => {
-    const away = 225 * RADIANS;
+    const away = numberPlace(view, pose, still.filter((_, k) => k !== i)) * RADIANS;
     return svg("g", { class: "pose", transform: placeText(view, pose) }, ...axesSign(),
-      svg("text", { class: "joint-name pose-name", transform: `translate(${round(14 * Math.cos(away))} ${round(-14 * Math.sin(away))}) rotate(${round(pose[2])})` }, String(i + 1)));
+      svg("text", { class: "joint-name pose-name", transform: `translate(${round(NUMBER_AWAY * Math.cos(away))} ${round(-NUMBER_AWAY * Math.sin(away))}) rotate(${round(pose[2])})` }, String(i + 1)));
   });
 }
 
@@ -101,7 +118,7 @@ export function backdropOf(view, design, options) {
   return [...locusShapes(view, options.loci, options.shownLoci), ...outlineMark(view, design.outline), ...bodyGhosts(view, design.guided), ...stretchMarks(view, design.stretch), ...walkMarks(view, design.walk)];
 }
 export function targetsOf(view, design, options) {
-  const marks = design.poses.length ? poseMarks(view, design.poses) : [];
+  const marks = design.poses.length ? poseMarks(view, design.poses, design.fixedPivots) : [];
   const points = design.outline.length ? [] : design.targets.slice(design.poses.length);
   return [...pointMarks(view, points), ...marks, ...errorMarks(view, design.targets, design.reached, options.magnify)];
 }

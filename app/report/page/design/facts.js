@@ -12,7 +12,10 @@ import { ofRaster } from "./raster.js";
 import { ERRORS, isExact, isSearched, originText, straightLength } from "./table.js";
 
 const units = (x, size) => element("span", { title: String(withoutRounding(x, size)) }, number(x, 7));
-const pointText = ([x, y]) => `${number(x, 6)}, ${number(y, 6)}`;
+// Of a length of this many digits no more is read.
+const READ_DIGITS = 8;
+
+const pointText = (point, size) => point.map((x) => number(withoutRounding(x, size, READ_DIGITS), 6)).join(", ");
 
 // `pinned`: a design whose values stand beside those of the one shown, or null.
 export function showDimensions(design, pinned = null) {
@@ -40,16 +43,17 @@ function linkageRows(m) {
   return [
     ...fact(say("dimensions.crank"), units(m.crank, size)), ...fact(say("dimensions.coupler"), units(m.coupler, size)), ...fact(say("dimensions.rocker"), units(m.rocker, size)),
     ...fact(say("dimensions.frame"), units(Math.hypot(dx, dy), size)), ...fact(say("dimensions.frame_angle"), degreesShort(Math.atan2(dy, dx) / RADIANS, 7)),
-    ...fact(say("dimensions.pivot", { name: "A" }), pointText(a), exactly(a)), ...fact(say("dimensions.pivot", { name: "D" }), pointText(d), exactly(d)),
-    ...(m.coupler_point ? fact(say("dimensions.coupler_point"), pointText(m.coupler_point), exactly(m.coupler_point)) : []),
+    ...fact(say("dimensions.pivot", { name: "A" }), pointText(a, size), exactly(a)), ...fact(say("dimensions.pivot", { name: "D" }), pointText(d, size), exactly(d)),
+    ...(m.coupler_point ? fact(say("dimensions.coupler_point"), pointText(m.coupler_point, size), exactly(m.coupler_point)) : []),
     ...fact(say("dimensions.assembly"), term(m.assembly))];
 }
 
 // The table of any other mechanism, key by key.
 function mechanismRows({ type, ...table }) {
+  const size = sizeOf(table);
   const rows = Object.entries(table).flatMap(([key, value]) => {
-    if (type === "chain" && CHAIN_ROWS[key]) return [value].flat().flatMap(CHAIN_ROWS[key]);
-    if (key === "fixed_pivots") return value.flatMap((pivot, i) => fact(say("dimensions.pivot", { name: "AD"[i] }), pointText(pivot), pivot.join(", ")));
+    if (type === "chain" && CHAIN_ROWS[key]) return [value].flat().flatMap((part) => CHAIN_ROWS[key](part, size));
+    if (key === "fixed_pivots") return value.flatMap((pivot, i) => fact(say("dimensions.pivot", { name: "AD"[i] }), pointText(pivot, size), pivot.join(", ")));
     const parts = Array.isArray(value) && value.every((part) => typeof part === "object" && !Array.isArray(part)) ? value : [value];
     return parts.flatMap((part) => fact(factName(key.replace(/_deg$/, "")), partText(part, key), JSON.stringify(part)));
   });
@@ -73,12 +77,12 @@ function dyadRows({ type, joins, lengths = [], assembly, new: made, names, ...sl
     ...fact(say("dimensions.assembly_at", { name: made ?? joins.join("–") }), term(assembly))];
 }
 
-// The parts of a chain, each in a row of its own name.
+// The parts of a chain, each in a row of its own name; `size`: its largest length.
 const CHAIN_ROWS = {
-  pivot: ({ name, at }) => fact(say("dimensions.pivot", { name }), pointText(at), at.join(", ")),
+  pivot: ({ name, at }, size) => fact(say("dimensions.pivot", { name }), pointText(at, size), at.join(", ")),
   crank: ({ at, pin, length, name }) => linkRow(name, at, pin, length),
   dyad: dyadRows,
-  point: ({ name, on, at }) => fact(say("dimensions.point", { name, on: [on].flat().map(term).join("–") }), pointText(at), at.join(", ")),
+  point: ({ name, on, at }, size) => fact(say("dimensions.point", { name, on: [on].flat().map(term).join("–") }), pointText(at, size), at.join(", ")),
 };
 
 // A value of a mechanism's table in words.

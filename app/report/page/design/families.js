@@ -72,6 +72,7 @@ export class Families {
     this.family = this.families[index];
     this.buttons.forEach((button, i) => button.setAttribute("aria-pressed", String(i === index)));
     this.places = this.entries.map((entry) => parameterOf(this.family, entry));
+    byId("families-hint").hidden = this.places.every((place) => place === null);
     this.sheets = familySheets(this.family);
     this.curves.build(this.sheets);
     this.choose(this.chosen ?? 0);

@@ -12,10 +12,11 @@ export function framings(linkage, targets, used) {
   return { curve: linkage.point ? boxOf(curve) : null, moving: boxOf(moving), whole: boxOf(whole) };
 }
 
-// The widest framing in which the coupler curve still takes a fair part of the picture.
+// The widest framing in which the coupler curve still takes a fair part of the picture. Pivots are left out where they
+// would make all else half as large.
 export function bestFraming({ curve, moving, whole }) {
   if (!curve) return diagonal(whole) < 1.6 * diagonal(moving) ? "whole" : "moving";
   if (diagonal(curve) > 0.3 * diagonal(whole)) return "whole";
   if (diagonal(curve) < 0.2 * diagonal(moving)) return "curve";
-  return diagonal(whole) < 1.3 * diagonal(moving) ? "whole" : "moving";
+  return diagonal(whole) < 2 * diagonal(moving) ? "whole" : "moving";
 }

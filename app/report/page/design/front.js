@@ -24,7 +24,7 @@ function objectiveOf(name, { error, metrics, mechanism }) {
 // What the designs of a problem are traded off by: those of a robust one are judged by the nominal error and by that of what is made.
 export const frontObjectives = ({ objectives = [], robust } = {}) => (robust === undefined ? objectives : ["nominal_error", robust === "worst" ? "worst_case" : "quantile"]);
 
-const OBJECTIVE_WORDS = { error: "front.error", nominal_error: "front.nominal_error", quantile: "front.quantile", worst_case: "front.worst_case" };
+const OBJECTIVE_WORDS = { error: "front.error", nominal_error: "front.nominal_error", quantile: "front.quantile", worst_case: "front.worst_case", transmission_angle: "qualities.least_acute" };
 
 function linkRatio({ crank, coupler, rocker, fixed_pivots: pivots }) {
   const all = [crank, coupler, rocker, pivots && Math.hypot(pivots[1][0] - pivots[0][0], pivots[1][1] - pivots[0][1])];

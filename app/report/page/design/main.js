@@ -14,6 +14,7 @@ import { Kernel } from "../kernel.js";
 import { legendItem } from "../shapes.js";
 import { Pinned } from "../pinned.js";
 import { filmed, Saves } from "../saves.js";
+import { takeGiven } from "../rounding.js";
 import { makeSortable } from "../sortable.js";
 import { Trace } from "../trace.js";
 import { TracedPoints } from "../traced.js";
@@ -29,7 +30,7 @@ import { showRaster } from "./raster.js";
 import { Lens } from "./lens.js";
 import { MechanismDesign } from "./mechanism_design.js";
 import { Design, fittingMagnification, MAGNIFICATIONS, turnInto } from "./model.js";
-import { DesignTable, isFourBar } from "./table.js";
+import { DesignTable, isExact, isFourBar } from "./table.js";
 import { DesignEditors } from "../edit/design_editors.js";
 import { BillCard } from "../workshop/bill.js";
 import { LayersCard } from "../workshop/layers.js";
@@ -40,6 +41,7 @@ import { designTolerances } from "../tolerance/of_design.js";
 const data = JSON.parse(embedded("data"));
 const { result } = data;
 const { kind } = data.target;
+takeGiven(result.problem?.target);
 const makeDesign = (entry, i) => (data.designs[i].motion ? new Design(entry, data.designs[i], data.target) : new MechanismDesign(entry, data.designs[i], data.target));
 const designs = result.designs.map(makeDesign);
 const isFunction = kind === "function" && designs.some((design) => design.linkage);
@@ -105,14 +107,19 @@ function setMagnification(step) {
   showLegend(text);
 }
 
+// An exact design has no errors to enlarge.
+const showMagnify = (design) => { byId("magnify-label").hidden = isExact(design.entry) || (!isFunction && design.targets.length === 0); };
+
 function showLegend(magnification) {
   const design = current();
-  const own = isFunction && design.trace ? [legendItem("target", "dashed", say("legend.wanted_output", { scale: magnification }))] : [];
+  const exact = isExact(design.entry);
+  const wanted = exact ? say("legend.wanted_exact") : say("legend.wanted_output", { scale: magnification });
+  const own = isFunction && design.trace ? [legendItem("target", "dashed", wanted)] : [];
   if (design.boxes.curve) own.push(legendItem("curve", "line", say(design.walk ? "walk.foot_path" : "legend.coupler_curve")));
   if (design.poses.length) own.push(legendItem("target", "line", say("legend.pose_wanted")), legendItem("coupler", "line", say("legend.body_reached")));
   else if (design.outline.length) own.push(legendItem("target", "line", say("legend.target")));
   else if (design.targets.length) own.push(legendItem("target", "dot", say("legend.target")));
-  if (design.targets.length) own.push(legendItem("error", "line", say("legend.error", { scale: magnification })));
+  if (design.targets.length && !exact) own.push(legendItem("error", "line", say("legend.error", { scale: magnification })));
   if (design.walk) own.push(legendItem("error", "line", say("walk.stance")), legendItem("target", "dashed", say("walk.ground")));
   if (design.stretch.length) own.push(legendItem("error", "line", say("legend.straight")));
   byId("legend").replaceChildren(...scene.legend(), ...own, ...extras.legend());
@@ -155,7 +162,7 @@ function choose(index) {
   bill.show(data.designs[index].bill);
   if (extras.shown.has(toleranceLayer)) extras.toggle(toleranceLayer, false);
   setFraming(design.assembles ? bestFraming(design.boxes) : "whole");
-  byId("magnify-label").hidden = !isFunction && design.targets.length === 0;
+  showMagnify(design);
   setMagnification(fittingMagnification(design, design.boxes[state.framing]));
   byId("stage-title").textContent = say(isFourBar(design.entry) ? "stage.linkage_of" : "stage.mechanism_of", { n: index + 1 });
   curves.build(design.assembles ? design.sheets(data.transmission_limits_deg) : []);
@@ -183,6 +190,7 @@ function follow(design) {
 function redrawDesign() {
   const design = current();
   setDrive(design);
+  showMagnify(design);
   curves.build(design.sheets(data.transmission_limits_deg));
   redrawAt(state.crank);
 }

@@ -47,6 +47,8 @@ export class MechanismDesign {
     this.crank = this.within(this.stations[0] ?? this.walk?.from ?? this.from);
   }
 
+  get fixedPivots() { return this.mechanism.pins.filter((pin) => pin.fixed).map((pin) => pin.path[0]); }
+
   // Of a leg how its foot walks; nothing where it has no stance.
   #walk({ kind }) {
     const { crank_deg: ends = [], metrics } = this.entry;

@@ -1,6 +1,7 @@
 // The designs of the report: the result document's entries beside what was sampled for drawing.
 
 import { degrees, degreesShort } from "../format.js";
+import { isNoError } from "../rounding.js";
 import { lookUp, RADIANS } from "../sampling.js";
 import { diagonal } from "../view.js";
 import { say } from "../words.js";
@@ -62,6 +63,7 @@ export class Design {
   }
 
   get assembles() { return this.linkage.assembles; }
+  get fixedPivots() { return [this.linkage.a, this.linkage.d]; }
 
   // Extremes of the transmission angle over the motion drawn.
   get transmissionDrawn() {
@@ -97,7 +99,7 @@ export class Design {
     const pose = this.linkage.pose(crank);
     const error = this.errorAt(crank);
     const text = say("readout.crank", { crank: degrees(crank, 1), rocker: degrees(pose.rocker, 1), transmission: degrees(pose.transmission, 1) });
-    return error === null ? text : `${text} · ${say("readout.error", { error: degreesShort(error, 3) })}`;
+    return error === null || isNoError(error, 1 / RADIANS) ? text : `${text} · ${say("readout.error", { error: degreesShort(error, 3) })}`;
   }
 
   sheets(limits) { return curveSheets(this, limits); }

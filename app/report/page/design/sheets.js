@@ -2,7 +2,7 @@
 
 import { padded, TURN_STEPS } from "../curves.js";
 import { degrees, number, sentence } from "../format.js";
-import { isRounding } from "../rounding.js";
+import { isNoError } from "../rounding.js";
 import { RADIANS, scaled } from "../sampling.js";
 import { diagonal } from "../view.js";
 import { say } from "../words.js";
@@ -37,7 +37,11 @@ function rockerSheet(design) {
   const rocker = linkage.rockers;
   const sheet = { ...overCrank(design), title: say("sheet.output_angle"), lines, shades: usedShade(design),
     summary: say("curves.range", { least: degrees(Math.min(...rocker), 1), greatest: degrees(Math.max(...rocker), 1) }) };
-  if (design.trace) {
+  if (design.trace && design.trace.x === null) {
+    const { crank_deg: stations } = design.trace;
+    sheet.spots = stations.map((deg) => ({ x: design.within(deg), y: linkage.pose(deg).rocker - design.errorAt(deg), colour: "--target" }));
+    sheet.note = say("sheet.pairs_note");
+  } else if (design.trace) {
     lines.push({ y: linkage.cranks.map((crank) => {
       const error = design.errorAt(crank);
       return error === null ? null : linkage.pose(crank).rocker - error;
@@ -49,14 +53,23 @@ function rockerSheet(design) {
   return sheet;
 }
 
+// What is plotted are samples: their greatest gives way to the maximum that is known, where that lies between two of them.
+const BETWEEN_SAMPLES = 1.05;
+
+function maximumOf({ entry: { error } }, sampled) {
+  const known = error?.max_deg ?? error?.max ?? 0;
+  return known > sampled && known < BETWEEN_SAMPLES * sampled ? known : sampled;
+}
+
 // In the target's own unit, which is another than the linkage's where the target was enlarged.
 export function distanceSheet(design) {
   const { enlarged } = design;
   const rows = design.targets.map((target, i) => ({ crank: design.within(design.stations[i]),
     distance: design.reached[i] ? Math.hypot(design.reached[i][0] - target[0], design.reached[i][1] - target[1]) / enlarged : null }))
     .filter((row) => Number.isFinite(row.crank)).sort((p, q) => p.crank - q.crank);
-  if (rows.length === 0 || isRounding(design.largestError, diagonal(design.boxes.whole))) return null;
-  const { values, unit, size } = scaled(rows.map((row) => row.distance), say("unit.length"));
+  if (rows.length === 0 || isNoError(design.largestError, diagonal(design.boxes.whole))) return null;
+  const { values, unit, size: sampled } = scaled(rows.map((row) => row.distance), say("unit.length"));
+  const size = maximumOf(design, sampled);
   return { ...overDrive(design), x: rows.map((row) => row.crank), title: say(enlarged === 1 ? "sheet.distance" : "sheet.distance_own", { unit }),
     lines: [{ y: values, colour: "--error", dots: true }], stems: true, hover: false,
     yRange: [0, 1.1 * Math.max(...values, 1e-12)], note: say("sheet.largest", { value: number(size, 4) }), summary: say("range.at_most_unit", { value: number(size, 4), unit: say("unit.length") }) };
@@ -100,9 +113,10 @@ function precisionSpots(design, cranks, x) {
 export function structuralErrorSheet(design) {
   const { trace } = design;
   const slides = !trace.error_deg;
-  if (isRounding(design.largestError, slides ? diagonal(design.boxes.whole) : 1 / RADIANS)) return null;
+  if (isNoError(design.largestError, slides ? diagonal(design.boxes.whole) : 1 / RADIANS)) return null;
   const byX = trace.x !== null;
-  const { values, unit, size } = scaled(slides ? trace.error : trace.error_deg, slides ? say("unit.length") : "°");
+  const { values, unit, size: sampled } = scaled(slides ? trace.error : trace.error_deg, slides ? say("unit.length") : "°");
+  const size = maximumOf(design, sampled);
   const x = byX ? trace.x : trace.crank_deg;
   const order = x.map((_, i) => i).sort((i, j) => x[i] - x[j]);
   const sortedX = order.map((i) => x[i]);

@@ -3,14 +3,14 @@
 import { markOf } from "../checks.js";
 import { byId, element } from "../dom.js";
 import { degreesShort, fixed, number } from "../format.js";
-import { isRounding, sizeOf } from "../rounding.js";
+import { isNoError, sizeOf } from "../rounding.js";
 import { LENGTH_UNIT, say, sentenceOf, term } from "../words.js";
 
 // The largest error: of an angle in degrees, of a slider as a length.
 const largestText = (error, digits) => (error.max_deg === undefined ? `${number(error.max, digits)} ${LENGTH_UNIT ?? ""}`.trim() : degreesShort(error.max_deg, digits));
 
 // Whether nothing but rounding parts a design from its targets.
-export const isExact = ({ error, mechanism }) => (error.max_deg === undefined ? isRounding(error.max, sizeOf(mechanism)) : isRounding(error.max_deg, 180 / Math.PI));
+export const isExact = ({ error, mechanism }) => (error.max_deg === undefined ? isNoError(error.max, sizeOf(mechanism)) : isNoError(error.max_deg, 180 / Math.PI));
 
 const unlessExact = (show) => (entry) => (isExact(entry) ? say("rounding.exact_short") : show(entry));
 
@@ -35,8 +35,8 @@ const STRAIGHT = { name: say("designs.straight"), title: say("designs.straight_t
 
 export const isFourBar = (d) => d.mechanism.type === "four-bar";
 
-// Class of a four-bar; of another mechanism its type.
-const classText = (d) => sentenceOf(isFourBar(d) ? d.metrics.class ?? "–" : d.mechanism.type);
+// Class of a four-bar; of another mechanism its topology or its type.
+const classText = (d) => sentenceOf(isFourBar(d) ? d.metrics.class ?? "–" : d.metrics.topology ?? d.mechanism.type);
 
 function designColumns(kind, entries) {
   const first = kind === "straight-line" ? STRAIGHT : ERRORS[kind];

@@ -5,6 +5,7 @@ import { markOriginal } from "../original.js";
 import { Curves, padded, TURN_STEPS } from "../curves.js";
 import { byId, element, fact } from "../dom.js";
 import { degreesShort, engineeringExponent, number, powerOfTen, sentence } from "../format.js";
+import { lengthText } from "../fact_text.js";
 import { RADIANS } from "../sampling.js";
 import { keyword, LENGTH_UNIT, say, sentenceOf, term, withUnit } from "../words.js";
 import { contributionBars, Histogram } from "./histogram.js";
@@ -182,7 +183,7 @@ export class ToleranceCard {
     const output = element("output", {});
     const label = element("label", {}, element("span", {}, dimensionText(name), " ", output), input);
     const tell = () => {
-      const text = `${number(nominal, 6)} ${input.valueAsNumber < 0 ? "−" : "+"} ${number(Math.abs(input.valueAsNumber), 3)}`;
+      const text = `${number(nominal, 6)} ${input.valueAsNumber < 0 ? "−" : "+"} ${lengthText(Math.abs(input.valueAsNumber), 3)}`;
       output.textContent = text;
       input.setAttribute("aria-valuetext", text);
     };
