@@ -20,6 +20,7 @@
 #include "app/shell/completion.hpp"
 #include "app/shell/manual_page.hpp"
 #include "app/studio/studio.hpp"
+#include "app/study/columns.hpp"
 #include "app/study/processes.hpp"
 #include "problems/read.hpp"
 
@@ -193,6 +194,10 @@ ExitStatus run_sweep(const CLI::App& command, const Arguments& arguments, const 
   SweepOptions own{.merged = {arguments.merged.begin(), arguments.merged.end()}};
   const bool has_part = command.get_option("--part")->count() > 0;
   if (has_part && !take(parse_part(arguments.part), own.part)) return exit_bad_input;
+  const bool has_format = command.get_option("--format")->count() > 0;
+  if (has_format && !take(parse_row_format(arguments.row_format), own.writes_columns)) {
+    return exit_bad_input;
+  }
   return sweep_command(arguments.file, options, own, processes);
 }
 

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
 
 namespace cognate {
@@ -58,11 +59,14 @@ class HeldSignals {
 /// A new file of its own in a folder, removed again unless it has been given its final name.
 class Draft {
  public:
-  explicit Draft(const fs::path& folder)
+  enum class Signals { held, as_they_are };
+  explicit Draft(const fs::path& folder, Signals signals = Signals::held)
       : folder_(folder),
         path_((folder / ".cognate-XXXXXX").string()),
         descriptor_(::mkostemp(path_.data(), O_CLOEXEC)),
-        open_error_(descriptor_ == -1 ? errno : 0) {}
+        open_error_(descriptor_ == -1 ? errno : 0) {
+    if (signals == Signals::as_they_are) held_.reset();
+  }
   Draft(const Draft&) = delete;
   Draft& operator=(const Draft&) = delete;
   ~Draft() {
@@ -71,6 +75,7 @@ class Draft {
   }
 
   int open_error() const { return open_error_; }
+  const std::string& path() const { return path_; }
 
   /// 0, or the errno of the first write that failed.
   int write(std::string_view bytes) {
@@ -97,7 +102,8 @@ class Draft {
   }
 
  private:
-  HeldSignals held_;  // first: until the file has its name or is removed
+  // First: until the file has its name or is removed.
+  std::optional<HeldSignals> held_{std::in_place};
   fs::path folder_;
   std::string path_;
   int descriptor_ = -1;
@@ -105,10 +111,21 @@ class Draft {
   bool renamed_ = false;
 };
 
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
 }  // namespace
 
+int write_whole_file(const fs::path& file, const std::function<int(const fs::path&)>& fill) {
+  Draft draft(folder_of(file), Draft::Signals::as_they_are);
+  if (draft.open_error() != 0) return draft.open_error();
+  if (const int error = fill(draft.path()); error != 0) return error;
+  return draft.rename_to(file);
+}
+
 int write_whole_file(const fs::path& file, std::string_view bytes) {
-  Draft draft(file.has_parent_path() ? file.parent_path() : fs::path("."));
+  Draft draft(folder_of(file));
   if (draft.open_error() != 0) return draft.open_error();
   if (const int error = draft.write(bytes); error != 0) return error;
   return draft.rename_to(file);

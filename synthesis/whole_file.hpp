@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string_view>
 
 namespace cognate {
@@ -11,6 +12,11 @@ namespace cognate {
 /// the file's name, and the name before this returns; a draft in the same folder is removed where
 /// something fails. Gives 0, or the errno of what failed.
 int write_whole_file(const std::filesystem::path& file, std::string_view bytes);
+
+/// The same of a file whose contents `fill` writes to the draft that it is given, which is there
+/// and empty; `fill` gives 0, or the errno of what failed. Signals are as the caller has them.
+int write_whole_file(const std::filesystem::path& file,
+                     const std::function<int(const std::filesystem::path& draft)>& fill);
 
 /// 0 if a file can be made in `folder`, which is left as it was, else the errno.
 int try_to_write_in(const std::filesystem::path& folder);

@@ -156,6 +156,8 @@ void CommandLine::add_sweep() {
   sweep.add_option("--merge", arguments.merged, "take over the rows of this file first")
       ->type_name("NAME.study.db")
       ->allow_extra_args(false);
+  sweep.add_option("--format", arguments.row_format, "hdf5: in the end the rows as columns, too")
+      ->type_name("sqlite|hdf5");
 }
 
 /// Those that packagers call and a user once.

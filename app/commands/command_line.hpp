@@ -24,6 +24,7 @@ struct Arguments {
   std::string sample;               ///< of `check`, of a certificate
   std::string part;                 ///< of a study, for `sweep`
   std::vector<std::string> merged;  ///< study files, for `sweep`
+  std::string row_format;           ///< of a study, for `sweep`
   ExportTexts exporting;
   bool json = false;
   bool quiet = false;

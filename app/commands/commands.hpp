@@ -47,6 +47,7 @@ struct SweepOptions {
   StudyPart part;  ///< the designs that are evaluated
   /// Files of the same study, whose rows are taken over.
   std::vector<std::filesystem::path> merged;
+  bool writes_columns = false;  ///< of the rows in the end, in NAME.study.h5
 };
 
 /// Takes over the rows of other files of the study in `file`, then evaluates the designs that are

@@ -99,6 +99,8 @@ inline constexpr const char* kSweepFooter = R"(Output:
                        which can be queried while the study runs
     NAME.report.html   the rows in plots with filters (not with --json, unless
                        --out is given)
+  With --format hdf5 NAME.study.h5, too, has the rows, as columns that h5py and
+  pandas read.
   Ctrl-C and --time-limit end the run. The same command continues it, and the
   rows are then those of a run that was never stopped.
   The same file, seed and version give the same rows with any number of threads
@@ -113,6 +115,7 @@ Examples:
   cognate sweep sizes.toml
   cognate sweep sizes.toml --out results --time-limit 3600
   sqlite3 results/sizes.study.db 'SELECT * FROM best LIMIT 5'
+  cognate sweep sizes.toml --format hdf5
   cognate sweep sizes.toml --part 1/2
   cognate sweep sizes.toml --merge other/sizes.study.db
   mpirun -n 64 cognate sweep sizes.toml --out results)";

@@ -19,6 +19,7 @@
 #include "app/documents/result_json.hpp"
 #include "app/documents/version.hpp"
 #include "app/report/study_report.hpp"
+#include "app/study/columns.hpp"
 #include "app/study/database.hpp"
 #include "app/study/evaluator.hpp"
 #include "app/study/lock.hpp"
@@ -133,6 +134,27 @@ void say_end(const Sweep& sweep, const StudySummary& summary) {
                        grouped(summary.counts.evaluated), grouped(sweep.total())));
 }
 
+/// Writes the rows as columns, where that is asked.
+FileResult write_columns_of(const Sweep& sweep, StudyDatabase& database) {
+  if (!sweep.own.writes_columns) return {};
+  // An interrupted run, too, gives the rows so far; what may be interrupted now is the writing.
+  std::atomic<bool> never{false};
+  const auto& interrupted = catch_interrupts();
+  Progress progress(sweep.options.quiet, interrupted, std::int64_t{0}, database.counts().kept);
+  return write_columns(sweep.path(".study.h5"), database.connection(), sweep.study,
+                       interrupted ? never : interrupted,
+                       [&](std::int64_t rows) { progress.update(rows); });
+}
+
+/// The files that a run writes, as a line of the table.
+std::string files_line(const Sweep& sweep) {
+  const auto name = [&](const char* ending) {
+    return printable(sweep.path(ending).lexically_normal().string());
+  };
+  const auto first = name(".study.db") + (sweep.own.writes_columns ? ", " + name(".study.h5") : "");
+  return fmt::format("wrote {} and {}\n", first, name(".report.html"));
+}
+
 ExitStatus report(const Sweep& sweep, StudyDatabase& database, StudySummary& summary) {
   const auto& options = sweep.options;
   summary.best = best_rows(database.connection(), sweep.study, kListedRows);
@@ -146,6 +168,9 @@ ExitStatus report(const Sweep& sweep, StudyDatabase& database, StudySummary& sum
     if (!written) return refuse_study(written.error());
   }
   say_end(sweep, summary);
+  if (const auto columns = write_columns_of(sweep, database); !columns) {
+    return refuse_study(columns.error());
+  }
   std::string text;
   if (options.json) {
     text = write_json(document);
@@ -153,9 +178,7 @@ ExitStatus report(const Sweep& sweep, StudyDatabase& database, StudySummary& sum
     Screen screen = standard_output();
     screen.length = length_word(sweep.study.length_unit);
     text = study_table(sweep.study, summary, screen);
-    text += fmt::format("wrote {} and {}\n",
-                        printable(sweep.path(".study.db").lexically_normal().string()),
-                        printable(sweep.path(".report.html").lexically_normal().string()));
+    text += files_line(sweep);
     text = fitted(text, screen);
   }
   const ExitStatus printed = print(text);
@@ -165,8 +188,9 @@ ExitStatus report(const Sweep& sweep, StudyDatabase& database, StudySummary& sum
 
 /// The part of the process that stores the rows.
 ExitStatus direct(const Sweep& sweep, StudyProcesses& processes, std::string_view input) {
-  const auto ready =
-      prepare_folder(sweep.folder, {sweep.stem + ".study.db", sweep.stem + ".report.html"});
+  auto ready = prepare_folder(sweep.folder, {sweep.stem + ".study.db", sweep.stem + ".study.h5",
+                                             sweep.stem + ".report.html"});
+  if (ready && sweep.own.writes_columns) ready = find_columns_module();
   const auto file = final_target(sweep.path(".study.db"));
   const auto lock = ready ? StudyLock::take(lock_file(file)) : tl::unexpected(ready.error());
   std::optional<StudyDatabase> database;

@@ -73,6 +73,10 @@ bool SqliteStatement::is_null(int column) const {
   return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
 }
 
+bool SqliteStatement::is_text(int column) const {
+  return sqlite3_column_type(statement_.get(), column) == SQLITE_TEXT;
+}
+
 std::int64_t SqliteStatement::integer(int column) const {
   return sqlite3_column_int64(statement_.get(), column);
 }
@@ -81,10 +85,10 @@ double SqliteStatement::real(int column) const {
   return sqlite3_column_double(statement_.get(), column);
 }
 
-std::string SqliteStatement::text(int column) const {
+std::string_view SqliteStatement::view(int column) const {
   const auto* bytes = static_cast<const char*>(sqlite3_column_blob(statement_.get(), column));
   const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
-  return bytes != nullptr ? std::string(bytes, size) : std::string();
+  return bytes != nullptr ? std::string_view(bytes, size) : std::string_view();
 }
 
 problems::Cell SqliteStatement::cell(int column) const {

@@ -45,9 +45,12 @@ class SqliteStatement {
 
   int columns() const;
   bool is_null(int column) const;
+  bool is_text(int column) const;
   std::int64_t integer(int column) const;
   double real(int column) const;
-  std::string text(int column) const;
+  /// Valid until the next step.
+  std::string_view view(int column) const;
+  std::string text(int column) const { return std::string(view(column)); }
   problems::Cell cell(int column) const;
 
  private:

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "app/study/block_message.hpp"
+#include "app/study/columns.hpp"
 #include "app/study/database.hpp"
 #include "tests/support/study_samples.hpp"
 
@@ -65,6 +66,30 @@ void measure(const char* what, std::int64_t blocks, bool keeps,
              static_cast<double>(std::filesystem::file_size(folder / "writer.study.db")) * 0x1p-20);
 }
 
+/// Rows as columns: what HDF5 takes, beside what SQLite gives them at.
+void measure_columns(std::int64_t blocks) {
+  const tests::TestFolder folder;
+  auto study = tests::sample_study(1);
+  study.samples = blocks * kBlock;
+  app::StudyDatabase database(folder / "writer.study.db", study, {});
+  for (std::int64_t i = 0; i < blocks; ++i) database.store(block_at(i * kBlock, true));
+  database.commit();
+  const auto rows = static_cast<double>(database.counts().kept);
+
+  auto mark = std::clock();
+  auto reader = database.connection().prepare("SELECT * FROM runs ORDER BY id");
+  while (reader.step()) continue;
+  const double stepped = lap(mark);
+  const std::atomic<bool> stopped{false};
+  if (!app::find_columns_module()) return fmt::print("\nno columns: HDF5 is missing\n");
+  const auto written = app::write_columns(folder / "writer.study.h5", database.connection(), study,
+                                          stopped, [](std::int64_t) {});
+  const double whole = lap(mark);
+  fmt::print(
+      "\nrows as columns per processor second: {:.3g} ({}), {:.2f} of SQLite's steps alone\n",
+      rows / whole, written ? "whole" : written.error(), stepped / whole);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -80,6 +105,7 @@ int main(int argc, char** argv) {
   measure("rows, three objectives", blocks, true,
           {{.name = "a.first"}, {.name = "second", .greatest = true}, {.name = "mechanism.crank"}});
   measure("blocks without a row", 64 * blocks, false, {});
+  measure_columns(blocks);
   struct rusage used {};
   getrusage(RUSAGE_SELF, &used);
   fmt::print("\npeak memory {} MiB\n", used.ru_maxrss / 1024);
