@@ -93,6 +93,7 @@ std::vector<ConstraintCheck> checks_of(const FunctionProblem& problem,
   }
   check_defect(checks, "circuit", problem.constraints.no_circuit_defect, Defect::circuit, metrics);
   check_defect(checks, "branch", problem.constraints.no_branch_defect, Defect::branch, metrics);
+  check_defect(checks, "order", problem.constraints.no_order_defect, Defect::order, metrics);
   check_start_angle(checks, "input_start_deg", generator.input_start, problem.input_start,
                     problem.input_start_bounds);
   if (const auto& given = problem.output_start) {

@@ -21,10 +21,9 @@ struct KeyWords {
 };
 
 /// Whole names where the key alone says too little.
-constexpr KeyWords kNames[] = {
-    {"no_undercut.pinion", "profile shift without undercut", "module", kLeast},
-    {"no_undercut.wheel", "profile shift without undercut", "module", kLeast},
-    {"mechanism.backlash", "backlash", "length", kEqual}};
+constexpr KeyWords kNames[] = {{"no_undercut.pinion", "profile shift without undercut", "", kLeast},
+                               {"no_undercut.wheel", "profile shift without undercut", "", kLeast},
+                               {"mechanism.backlash", "backlash", "length", kEqual}};
 
 constexpr KeyWords kKeys[] = {
     {"crank", "crank", "length"},
@@ -89,7 +88,7 @@ constexpr KeyWords kKeys[] = {
     {"tip_thickness_min", "tip thickness", "module"},
     {"no_interference", "interference", "module", kMost},
     {"tip_clearance_min", "tip clearance", "module"},
-    {"profile_shift", "profile shift", "module"},
+    {"profile_shift", "profile shift", ""},
     {"centre_distance", "centre distance", "length", kLeast},
     {"ratio_tolerance", "relative error of the ratio", "", kMost},
     {"hunting", "common divisor of the teeth", "", kMost},

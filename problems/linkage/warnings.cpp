@@ -91,6 +91,9 @@ bool has_forces(const Operation& operation) {
          });
 }
 
+/// Of an angle, what a design that lies on a limit may be beyond it.
+constexpr double kRounding = 1e-9;
+
 /// Collects the warnings of one design.
 class Judgement {
  public:
@@ -114,7 +117,8 @@ class Judgement {
     // A design of a type without transmission angles has zeros.
     if (!(metrics.transmission_max > 0)) return;
     const double acute = metrics.transmission_acute_min;
-    if (acute >= limits_.transmission_angle) return;
+    // A design on the limit is not below it by rounding.
+    if (acute >= (1 - kRounding) * limits_.transmission_angle) return;
     if (acute < kNearDeadPoint) {
       constexpr const char* kMeaning =
           "near a dead point: joints carry more than ten times the force transmitted there, and "

@@ -109,20 +109,26 @@ class FrontReport {
     return family;
   }
 
+  /// With the unit of an angle.
+  std::string measured(const FrontPoint& point) const {
+    const bool is_angle = rule_.column.find("_deg") != std::string_view::npos;
+    return fmt::format("{:.7g}{}", measure(point), is_angle ? " degrees" : "");
+  }
+
   std::string beginning(const FrontPoint& first) const {
     return fmt::format(
-        "The front begins where {} is {:.7g}: up to there the target is met to rounding.", words(),
-        measure(first));
+        "The front begins where {} is {}: up to there the target is met to rounding.", words(),
+        measured(first));
   }
 
   std::string end(const std::vector<FrontPoint>& points, bool by_error) const {
     const FrontPoint& last = points.back();
     if (points.size() == 1) {
-      return fmt::format("One design is best in both: {} is {:.7g}, the error {:.7g}.", words(),
-                         measure(last), error(last));
+      return fmt::format("One design is best in both: {} is {}, the error {:.7g}.", words(),
+                         measured(last), error(last));
     }
-    const std::string at = fmt::format("The front ends where {} is {:.7g} and the error {:.7g}",
-                                       words(), measure(last), error(last));
+    const std::string at = fmt::format("The front ends where {} is {} and the error {:.7g}",
+                                       words(), measured(last), error(last));
     if (task_.limit && by_error) {
       return fmt::format("{}: beyond it the error exceeds {}.", at, limit_words());
     }
@@ -133,8 +139,8 @@ class FrontReport {
 
   std::string best(const FrontPoint& point) const {
     return fmt::format(
-        "The design is the one of best measure found within {}: {} is {:.9g}, the error {:.7g}.",
-        limit_words(), words(), measure(point), error(point));
+        "The design is the one of best measure found within {}: {} is {}, the error {:.7g}.",
+        limit_words(), words(), measured(point), error(point));
   }
 
  private:

@@ -66,7 +66,7 @@ test("a landmark's button goes there, where the output stands still", () => visi
 
 test("the facts have names of their own", () => visit("four-bar", still, async (page) => {
   const names = await page.locator("#facts-list dt").allTextContents();
-  assert.ok(names.includes("Minimum transmission angle"), names.join("; "));
+  assert.ok(names.includes("Minimum transmission angle, acute"), names.join("; "));
   assert.deepEqual(names.filter((name) => /\w\.\w|_/.test(name)), []);
 }));
 

@@ -20,7 +20,7 @@ after(() => {
 });
 
 const visit = (name, options, steps) => visitReport(browser, name, { motion: "reduce", ...options }, steps);
-const rows = (page) => page.evaluate(() => Object.fromEntries([...document.querySelectorAll("#problem-list dt")].map((dt) => [dt.textContent, dt.nextElementSibling.textContent])));
+const rows = (page) => page.evaluate(() => Object.fromEntries([...document.querySelectorAll("#problem-list dt")].map((dt) => [dt.textContent, dt.nextElementSibling.textContent.replaceAll("\u00a0", " ")])));
 const written = (page) => page.evaluate(() => [document.getElementById("problem-file").textContent, JSON.parse(document.getElementById("data").textContent).result.problem]);
 
 // What samples made in C++ leave to the reader is filled in.

@@ -103,7 +103,7 @@ function plotOptions(sheet, width) {
       points: { show: sheet.hover !== false, size: 8 } },
     scales: { x: { time: false, range: () => sheet.xRange }, y: { range: (_, low, high) => sheet.yRange ?? padded(low, high) } },
     axes: [axis({ label: sheet.xLabel, size: 30, incrs: sheet.xSteps }), axis({ size: 46 })],
-    series: [{}, ...sheet.lines.map((line) => ({ stroke: () => colour(line.colour), width: 2, spanGaps: false,
+    series: [{}, ...sheet.lines.map((line) => ({ stroke: () => colour(line.colour), width: 2, spanGaps: false, pxAlign: 0,
       dash: line.dash, points: line.dots ? { show: true, size: 7, fill: () => colour(line.colour) } : { show: false },
       ...(line.dots || line.ends ? { paths: () => null } : {}) }))],
     bands: (sheet.bands ?? []).map(({ low, high, colour: name }) => ({ series: [high + 1, low + 1], fill: () => colour(name) })),

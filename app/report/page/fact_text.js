@@ -1,7 +1,7 @@
 // Facts of a motion or of a synthesis in words.
 
 import { degreesShort, number, sentence } from "./format.js";
-import { keyword, LENGTH_UNIT, say, sentenceOf, term } from "./words.js";
+import { keyword, language, LENGTH_UNIT, say, sentenceOf, term } from "./words.js";
 
 const FACT_WORDS = { min: say("fact.least"), max: say("fact.greatest"), N_m: say("unit.torque"), N: say("unit.force"), deg: "°", length: LENGTH_UNIT ?? "" };
 
@@ -57,15 +57,17 @@ export const unitWord = (unit) => FACT_WORDS[unit] ?? "";
 export function factText(value, unit) {
   if (value === null) return "–";
   if (typeof value === "boolean") return say(value ? "yes" : "no");
+  if (Number.isInteger(value) && !unit) return value.toLocaleString(language).replace("-", "−");
   if (typeof value !== "number") return keyword(String(value)) ?? sentenceOf(String(value).replaceAll("_", " "));
   // Of an angle less than this is left by rounding.
   return unit === "deg" ? degreesShort(Math.abs(value) < NO_ANGLE ? 0 : value, 6) : `${number(value, 6)} ${FACT_WORDS[unit] ?? ""}`.trim();
 }
 
-export const lengthText = (value, digits) => `${number(value, digits)} ${LENGTH_UNIT ?? ""}`.trim();
+// A length with its unit, which stays with it where a line ends.
+export const lengthText = (value, digits) => (LENGTH_UNIT ? `${number(value, digits)}\u00a0${LENGTH_UNIT}` : number(value, digits));
 
 // A sum of squares of lengths, or of angles.
-export const squaresText = (value, digits, angular) => `${number(value, digits)}${angular ? " rad²" : LENGTH_UNIT ? ` ${LENGTH_UNIT}²` : ""}`;
+export const squaresText = (value, digits, angular) => `${number(value, digits)}${angular ? "\u00a0rad²" : LENGTH_UNIT ? `\u00a0${LENGTH_UNIT}²` : ""}`;
 
 // Curves that share n points at one place have contact of order n − 1.
 const contactText = (points) => say("fact.contact", { order: points - 1, points });

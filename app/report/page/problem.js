@@ -73,10 +73,10 @@ function valueParts(value, key, scope) {
   if (typeof value === "string") return [wordText(value, key)];
   if (isTable(value) && ("min" in value || "max" in value)) return [rangeText(value, unit)];
   if (isTable(value)) return tableParts(value, scopeOf(key, value));
-  if (isNumberPair(value) && (inBounds || INTERVALS.test(key))) return [`${number(value[0], DIGITS)} … ${number(value[1], DIGITS)}${unit}`];
+  if (isNumberPair(value) && (inBounds || INTERVALS.test(key))) return [intervalText(value, unit)];
   if (inBounds && value.length === 2 && value.every(isNumberPair)) {
     if (!isBox(value)) return joinedParts(value.map((range) => valueParts(range, key, scope)), say("list.comma"));
-    return [(PAIR_NAMES[key] ?? ["x", "y"]).map((axis, i) => `${axis} ${number(value[0][i], DIGITS)} … ${number(value[1][i], DIGITS)}`).join(say("list.comma"))];
+    return [(PAIR_NAMES[key] ?? ["x", "y"]).map((axis, i) => `${axis}\u00a0${intervalText([value[0][i], value[1][i]])}`).join(say("list.comma"))];
   }
   return [...(isNumberPair(value) && VECTORS.includes(key) ? bracketed(value) : listParts(value, key)), unit];
 }
@@ -92,6 +92,9 @@ export function withNamedLinks(problem, dyads) {
     ? bound.map((range, i) => [links.get(name)[i], range]) : [[name, bound]]));
   return { ...problem, bounds: Object.fromEntries(bounds) };
 }
+
+// One that no line's end parts.
+const intervalText = ([from, to], unit = "") => `${number(from, DIGITS)}\u00a0…\u00a0${number(to, DIGITS)}${unit.replace(" ", "\u00a0")}`;
 
 const rangeText = ({ min, max }, unit) => (max === undefined || max === null ? say("range.at_least", { value: number(min, DIGITS) + unit })
   : say("range.at_most", { value: number(max, DIGITS) + unit }));

@@ -28,11 +28,11 @@ export const errorText = (value, size, show) => (isRounding(value, size) ? say("
 
 const COPIED_DIGITS = 12;
 
-// `x` to as many places as a number of the size `size` has with so many digits, twelve where it is to be copied.
-export function withoutRounding(x, size, digits = COPIED_DIGITS) {
+// `x` to as many places as a number of the size `size` with twelve digits has: copied numbers are not rounded.
+export function withoutRounding(x, size) {
   if (!Number.isFinite(x) || !(size > 0)) return x;
-  const places = digits - 1 - Math.floor(Math.log10(size));
-  if (places > 100 || places < 0) return Number(x.toPrecision(digits));
+  const places = COPIED_DIGITS - 1 - Math.floor(Math.log10(size));
+  if (places > 100 || places < 0) return Number(x.toPrecision(COPIED_DIGITS));
   return Number(x.toFixed(places)) + 0;
 }
 

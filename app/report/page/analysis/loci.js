@@ -42,6 +42,7 @@ export class Loci {
     if (this.sheets === sheets && this.width === width) return;
     Object.assign(this, { sheets, width });
     this.holder.replaceChildren();
+    byId("loci-title").textContent = say(sheets.some(({ quantity }) => quantity === "reactions") ? "loci.title" : "loci.hodographs");
     // All boxes first, so that each has its width before it is drawn.
     this.plots = sheets.map((sheet) => [sheet, this.#box(sheet)]).map(([sheet, root]) => this.#plot(sheet, root));
     if (this.drive !== undefined) this.move(this.drive);

@@ -6,7 +6,7 @@ import { arrowPath, pathThrough, round, sectorPath } from "../shapes.js";
 import { along, rotated } from "./model.js";
 
 // Pixels between the common normal and the name of the angle.
-const NAME_ROOM = 26;
+const ANGLE_NAME_ROOM = 26;
 
 // Teeth along the profile as long as it is curved there, and the line through their tips.
 export function combPath(body, scale, radius) {
@@ -74,7 +74,7 @@ export class PressureLayer {
     const [x, y] = this.local(contact).map(round);
     set(this.dot, { cx: x, cy: y });
     // The angle's name stands beside the normal, away from the follower's stem.
-    const beside = (NAME_ROOM / this.scale / size) * Math.sign(turn || 1) / RADIANS;
+    const beside = (ANGLE_NAME_ROOM / this.scale / size) * Math.sign(turn || 1) / RADIANS;
     return along(way.from, rotated([1, 0], from + turn + beside), size);
   }
 }

@@ -181,6 +181,7 @@ if (!editor) offerNoEdit(say(Kernel.available && designs.length ? "edit.too_larg
 showHead(result, kindName(),
   [say("count.designs", { n: designs.length }), designs.length ? radiusText(designs[0].kind, designs[0].drawn.dimensions.base_radius, 6) : "", result.work ? duration(result.work.seconds) : ""],
   say("head.keys_cam"));
+showProblem(result.problem, kindName(), withNamedRadius(result.problem));
 showNotes(result.notes ?? [], result.warnings);
 showWork(result.work);
 showRaster(result.facts, { sizeUnit: LENGTH_UNIT });

@@ -12,10 +12,10 @@ import { ofRaster } from "./raster.js";
 import { ERRORS, isExact, isSearched, originText, straightLength } from "./table.js";
 
 const units = (x, size) => element("span", { title: String(withoutRounding(x, size)) }, number(x, 7));
-// Of a length of this many digits no more is read.
-const READ_DIGITS = 8;
+// What is less than this share of the mechanism is read as nothing.
+const READ_SHARE = 1e-7;
 
-const pointText = (point, size) => point.map((x) => number(withoutRounding(x, size, READ_DIGITS), 6)).join(", ");
+const pointText = (point, size) => point.map((x) => number(Math.abs(x) < READ_SHARE * size ? 0 : x, 6)).join(", ");
 
 // `pinned`: a design whose values stand beside those of the one shown, or null.
 export function showDimensions(design, pinned = null) {

@@ -26,8 +26,33 @@ function numbersOf(entry) {
   return numbers;
 }
 
+// Of a column's range, what a design of the family is off at most between two samples.
+const OF_FAMILY = 0.02;
+
 // The value of a family's parameter that a design has; null where it has none.
 const parameterOf = (family, entry) => numbersOf(entry)[family.columns[0].name] ?? null;
+
+// Whether a design lies on a family's curves where it has the parameter `at`: of several families it is of one.
+function liesOn({ columns: [{ values: places }, ...columns] }, entry, at) {
+  const numbers = numbersOf(entry);
+  return columns.every(({ name, values }) => {
+    const known = values.filter((value) => value !== null);
+    if (numbers[name] === undefined || known.length < 2) return true;
+    const room = OF_FAMILY * (Math.max(...known) - Math.min(...known)) + 1e-9;
+    const within = (one, other) => numbers[name] >= Math.min(one, other) - room && numbers[name] <= Math.max(one, other) + room;
+    return places.some((place, i) => i > 0 && (place - at) * (places[i - 1] - at) <= 0 && values[i] !== null && values[i - 1] !== null && within(values[i - 1], values[i]));
+  });
+}
+
+// Steps this many times as long as most are leaps from one side of infinity to the other.
+const LEAP = 50;
+
+// The values of a column with a gap where they leap.
+function withGaps(values) {
+  const steps = values.slice(1).map((value, i) => (value === null || values[i] === null ? 0 : Math.abs(value - values[i])));
+  const most = LEAP * [...steps].sort((p, q) => p - q)[Math.floor(steps.length / 2)];
+  return values.map((value, i) => (i > 0 && steps[i - 1] > most && value * values[i - 1] < 0 ? null : value));
+}
 
 // A plot for each column over the first one. A family that goes to and fro in its parameter is
 // drawn as points.
@@ -43,7 +68,7 @@ function familySheets(family) {
   const common = { x, xRange: [x[0] - margin, x.at(-1) + margin], xLabel: familyLabel(parameter.name), hover: false,
     marks: [], driveAt: (at) => at, xAt: () => null };
   return columns.map((column, i) => {
-    const y = order.map((k) => column.values[k]);
+    const y = withGaps(order.map((k) => column.values[k]));
     const known = y.filter((v) => v !== null);
     const summary = known.length ? say("curves.range", { least: number(Math.min(...known), 5), greatest: number(Math.max(...known), 5) }) : say("curves.no_values");
     return { ...common, title: familyLabel(column.name), summary, note: sentence(summary), lines: [{ y, colour: locusColour(i), dots: !monotonic }] };
@@ -71,7 +96,11 @@ export class Families {
   show(index) {
     this.family = this.families[index];
     this.buttons.forEach((button, i) => button.setAttribute("aria-pressed", String(i === index)));
-    this.places = this.entries.map((entry) => parameterOf(this.family, entry));
+    const place = (entry) => {
+      const at = parameterOf(this.family, entry);
+      return at === null || this.families.length === 1 || liesOn(this.family, entry, at) ? at : null;
+    };
+    this.places = this.entries.map(place);
     byId("families-hint").hidden = this.places.every((place) => place === null);
     this.sheets = familySheets(this.family);
     this.curves.build(this.sheets);

@@ -78,7 +78,7 @@ export class Front {
     const [low, high] = [Math.min(...values), Math.max(...values)];
     const room = 0.06 * (high - low) || 0.1 * Math.abs(high) || 1;
     const [least, most] = [low - room, high + room];
-    const wanted = (most - least) / Math.max(3, Math.abs(to - from) / 70);
+    const wanted = (most - least) / Math.max(4, Math.abs(to - from) / 70);
     const power = 10 ** Math.floor(Math.log10(wanted));
     const step = [1, 2, 5, 10].map((m) => m * power).find((s) => s >= wanted);
     const ticks = Array.from({ length: Math.floor(most / step) - Math.ceil(least / step) + 1 }, (_, i) => (Math.ceil(least / step) + i) * step);

@@ -1,5 +1,6 @@
 // A design that is no four-bar: its bodies move as the analysis kernel sampled them.
 
+import { lengthText } from "../fact_text.js";
 import { degrees, number, sentence } from "../format.js";
 import { Mechanism } from "../mechanism.js";
 import { interpolate, locate, lookUp } from "../sampling.js";
@@ -7,7 +8,7 @@ import { boxOf } from "../view.js";
 import { say, term } from "../words.js";
 import { DesignMechanismScene, EmptyScene } from "./design_mechanism_scene.js";
 import { largestDistance, stretchOf, takeTargets, turnInto } from "./model.js";
-import { deviationSheet, distanceSheet, overDrive, structuralErrorSheet } from "./sheets.js";
+import { deviationSheet, distanceSheet, maximumOf, overDrive, structuralErrorSheet } from "./sheets.js";
 import { Walk } from "./walk.js";
 
 // The samples from the first to the last at which every body is placed.
@@ -113,7 +114,7 @@ export class MechanismDesign {
 
   readout(drive) {
     const at = this.angular ? degrees(drive, 1) : number(drive, 5);
-    const output = this.outputTurns ? degrees(this.outputAt(drive), 1) : number(this.outputAt(drive), 5);
+    const output = this.outputTurns ? degrees(this.outputAt(drive), 1) : lengthText(this.outputAt(drive), 5);
     return `${this.driveName.toLowerCase()} ${at} · ${this.outputName} ${output}`;
   }
 
@@ -122,9 +123,10 @@ export class MechanismDesign {
     const drives = this.mechanism.samples;
     const values = drives.map((drive) => this.outputAt(drive));
     const [least, greatest] = [Math.min(...values), Math.max(...values)];
-    const text = (v) => (turns ? degrees(v, 1) : say("sheet.length", { value: number(v, 5) }));
+    const text = (v) => (turns ? degrees(v, 1) : say("sheet.length", { value: number(v, 6) }));
+    const stroke = maximumOf(this.entry.metrics?.circuit_stroke, greatest - least);
     const sheet = { ...overDrive(this), x: drives, title: say(turns ? "sheet.angle_of" : "sheet.displacement_of", { name: this.outputName }),
-      lines: [{ y: values, colour: "--rocker" }], note: say(turns ? "sheet.swing" : "sheet.stroke", { value: text(greatest - least) }), summary: say("curves.range", { least: text(least), greatest: text(greatest) }) };
+      lines: [{ y: values, colour: "--rocker" }], note: say(turns ? "sheet.swing" : "sheet.stroke", { value: text(turns ? greatest - least : stroke) }), summary: say("curves.range", { least: text(least), greatest: text(greatest) }) };
     if (this.walk) return [...this.walk.sheets(overDrive(this)), sheet];
     const error = this.trace ? structuralErrorSheet(this) : this.stretch.length ? deviationSheet(this) : distanceSheet(this);
     return [sheet, error].filter(Boolean);

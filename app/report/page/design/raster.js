@@ -17,14 +17,15 @@ function barWidths(values) {
 }
 
 // What is best on the raster: an error, of straight lines also a length or a size over the length, of cams a size.
-const MEASURES = ["error", "error_deg", "error_relative", "length", "size"];
+const MEASURES = { error: say("raster.error"), error_deg: say("raster.error"), error_relative: say("raster.error_relative"), length: say("raster.length"), size: say("raster.size") };
 
 // `angular`: an error is one of angles; `sizeUnit`: of a size, which mostly is over a length.
 export function showRaster(facts, { angular = false, sizeUnit = "" } = {}) {
-  const measure = MEASURES.find((one) => facts?.[`raster_${one}`] !== undefined);
+  const measure = Object.keys(MEASURES).find((one) => facts?.[`raster_${one}`] !== undefined);
   byId("raster").hidden = !measure;
   if (!measure) return;
   const unit = measure === "size" ? sizeUnit : measure === "error_relative" ? "" : LENGTH_UNIT ?? "";
+  byId("raster-measure").textContent = say("raster.measure", { measure: MEASURES[measure] });
   const text = (value) => (measure === "error_deg" || (angular && measure === "error") ? degreesShort(value, 4) : `${number(value, 4)} ${unit}`.trim());
   const [continuous, best, rounded] = ["continuous", "raster", "rounded"].map((of) => facts[`${of}_${measure}`]);
   const rows = [["continuous", continuous], ["on_raster", best], ["rounded", rounded]].filter(([, value]) => typeof value === "number");

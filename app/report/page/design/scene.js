@@ -11,6 +11,17 @@ import { backdropOf, GuidedAxes, targetsOf } from "./backdrop.js";
 
 const LINKS = ["crank", "coupler", "rocker"];
 
+// Room that a name needs to other joints, in pixels, and the angles by which it turns away from where it would stand.
+const NAME_ROOM = 14;
+const TURNS = [0, 50, -50, 100, -100, 150, -150].map((deg) => deg * RADIANS);
+
+// The place of a name `away` from its joint p, as near to `direction` as leaves room to the `others`.
+function besideJoint([x, y], direction, away, others) {
+  const at = (turn) => [x + away * Math.cos(direction + turn), y + away * Math.sin(direction + turn)];
+  const isFree = ([u, v]) => others.every((q) => Math.hypot(u - q[0], v - q[1]) > NAME_ROOM);
+  return TURNS.map(at).find(isFree) ?? at(0);
+}
+
 export class Scene extends Picture {
   constructor(frame, onDrag) {
     super(frame, say("picture.linkage"), onDrag);
@@ -129,9 +140,8 @@ export class Scene extends Picture {
       if (!p) continue;
       const other = { A: at.D, D: at.A }[name];
       const [x, y] = other ? [p[0] < other[0] ? -1 : 1, 0.55] : [p[0] - middle[0], p[1] - middle[1]];
-      const length = Math.hypot(x, y) || 1;
-      const away = other ? 22 : 18;
-      set(text, { x: round(p[0] + (away * x) / length), y: round(p[1] + (away * y) / length) });
+      const [u, v] = besideJoint(p, Math.atan2(y, x), other ? 22 : 18, known.filter((q) => q !== p));
+      set(text, { x: round(u), y: round(v) });
     }
   }
 

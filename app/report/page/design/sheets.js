@@ -56,10 +56,9 @@ function rockerSheet(design) {
 // What is plotted are samples: their greatest gives way to the maximum that is known, where that lies between two of them.
 const BETWEEN_SAMPLES = 1.05;
 
-function maximumOf({ entry: { error } }, sampled) {
-  const known = error?.max_deg ?? error?.max ?? 0;
-  return known > sampled && known < BETWEEN_SAMPLES * sampled ? known : sampled;
-}
+export const maximumOf = (known, sampled) => (known > sampled && known < BETWEEN_SAMPLES * sampled ? known : sampled);
+
+const largestOf = ({ entry: { error } }, sampled) => maximumOf(error?.max_deg ?? error?.max, sampled);
 
 // In the target's own unit, which is another than the linkage's where the target was enlarged.
 export function distanceSheet(design) {
@@ -69,7 +68,7 @@ export function distanceSheet(design) {
     .filter((row) => Number.isFinite(row.crank)).sort((p, q) => p.crank - q.crank);
   if (rows.length === 0 || isNoError(design.largestError, diagonal(design.boxes.whole))) return null;
   const { values, unit, size: sampled } = scaled(rows.map((row) => row.distance), say("unit.length"));
-  const size = maximumOf(design, sampled);
+  const size = largestOf(design, sampled);
   return { ...overDrive(design), x: rows.map((row) => row.crank), title: say(enlarged === 1 ? "sheet.distance" : "sheet.distance_own", { unit }),
     lines: [{ y: values, colour: "--error", dots: true }], stems: true, hover: false,
     yRange: [0, 1.1 * Math.max(...values, 1e-12)], note: say("sheet.largest", { value: number(size, 4) }), summary: say("range.at_most_unit", { value: number(size, 4), unit: say("unit.length") }) };
@@ -116,7 +115,7 @@ export function structuralErrorSheet(design) {
   if (isNoError(design.largestError, slides ? diagonal(design.boxes.whole) : 1 / RADIANS)) return null;
   const byX = trace.x !== null;
   const { values, unit, size: sampled } = scaled(slides ? trace.error : trace.error_deg, slides ? say("unit.length") : "°");
-  const size = maximumOf(design, sampled);
+  const size = largestOf(design, sampled);
   const x = byX ? trace.x : trace.crank_deg;
   const order = x.map((_, i) => i).sort((i, j) => x[i] - x[j]);
   const sortedX = order.map((i) => x[i]);

@@ -3,14 +3,15 @@
 import { markOf } from "../checks.js";
 import { byId, element } from "../dom.js";
 import { degreesShort, fixed, number } from "../format.js";
+import { squaresText } from "../fact_text.js";
 import { isNoError, sizeOf } from "../rounding.js";
-import { LENGTH_UNIT, say, sentenceOf, term } from "../words.js";
+import { keyword, LENGTH_UNIT, say, sentenceOf, term } from "../words.js";
 
 // The largest error: of an angle in degrees, of a slider as a length.
 const largestText = (error, digits) => (error.max_deg === undefined ? `${number(error.max, digits)} ${LENGTH_UNIT ?? ""}`.trim() : degreesShort(error.max_deg, digits));
 
-// Whether nothing but rounding parts a design from its targets.
-export const isExact = ({ error, mechanism }) => (error.max_deg === undefined ? isNoError(error.max, sizeOf(mechanism)) : isNoError(error.max_deg, 180 / Math.PI));
+// Whether nothing but rounding parts a design from its targets; an edited one may not reach them, and has no error.
+export const isExact = ({ error, mechanism }) => Boolean(error) && (error.max_deg === undefined ? isNoError(error.max, sizeOf(mechanism)) : isNoError(error.max_deg, 180 / Math.PI));
 
 const unlessExact = (show) => (entry) => (isExact(entry) ? say("rounding.exact_short") : show(entry));
 
@@ -19,7 +20,7 @@ export const ERRORS = {
   function: { name: say("designs.largest_error"), text: ({ error }) => largestText(error, 4) },
   dwell: { name: say("designs.half_band"), text: ({ error }) => largestText(error, 4) },
   leg: { name: say("designs.flatness"), text: ({ metrics }) => number(metrics.flatness, 3), value: ({ metrics }) => metrics.flatness },
-  path: { name: say("designs.sum_of_squares"), text: ({ error }) => number(error.sum_of_squares, 5), value: ({ error }) => error.sum_of_squares },
+  path: { name: say("designs.sum_of_squares"), text: ({ error }) => squaresText(error.sum_of_squares, 5), value: ({ error }) => error.sum_of_squares },
   motion: { name: say("designs.largest_error"), text: ({ error }) => number(error.max, 3) },
 };
 
@@ -36,7 +37,7 @@ const STRAIGHT = { name: say("designs.straight"), title: say("designs.straight_t
 export const isFourBar = (d) => d.mechanism.type === "four-bar";
 
 // Class of a four-bar; of another mechanism its topology or its type.
-const classText = (d) => sentenceOf(isFourBar(d) ? d.metrics.class ?? "–" : d.metrics.topology ?? d.mechanism.type);
+const classText = (d) => sentenceOf(isFourBar(d) ? d.metrics.class ?? "–" : keyword(d.metrics.topology) ?? d.metrics.topology ?? d.mechanism.type);
 
 function designColumns(kind, entries) {
   const first = kind === "straight-line" ? STRAIGHT : ERRORS[kind];

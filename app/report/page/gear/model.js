@@ -13,6 +13,8 @@ export const PARTS = ["root", "fillet", "involute", "tip"];
 
 // At most so many teeth are drawn; of more, and of virtual gears, a sector.
 const MOST_TEETH = 400;
+// So near to a tangent point, as a share of the line of action, contact is on the base circle.
+const ON_BASE = 1e-6;
 
 export class GearBody {
   // `drawn.half`: x, y and part from a root's middle to the tip's, of the tooth upright on the y axis.
@@ -104,7 +106,8 @@ export class GearMesh {
   // Specific sliding of the pinion's flank and of the wheel's: 1 − v of the other / v of its own.
   sliding(way) {
     const other = this.side * (this.span - way);
-    return [1 - other / (this.ratio * way), 1 - (this.ratio * way) / other];
+    const slide = (own, against) => (Math.abs(own) < ON_BASE * this.span ? -Infinity : 1 - against / own);
+    return [slide(this.ratio * way, other), slide(other, this.ratio * way)];
   }
 
   // Sliding speed over that of the pitch line.

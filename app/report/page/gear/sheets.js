@@ -3,7 +3,7 @@
 import { padded } from "../curves.js";
 import { number, sentence } from "../format.js";
 import { extremes, RADIANS } from "../sampling.js";
-import { say } from "../words.js";
+import { say, withUnit } from "../words.js";
 
 const GEAR_COLOURS = ["--pinion", "--wheel"];
 // Specific sliding is cut here: on the base circle it is infinite.
@@ -12,9 +12,11 @@ const PATH_STEPS = 240;
 
 const gearLine = (label, colour, y) => ({ label, colour, y, show: (v) => number(v, 4) });
 
+const orInfinite = (v) => (Number.isFinite(v) ? number(v, 4) : v > 0 ? "∞" : "−∞");
+
 const rangeOf = (values, unit = "") => {
   const [least, greatest] = extremes(values);
-  return least === null ? say("curves.no_values") : say("curves.range_unit", { least: number(least, 4), greatest: number(greatest, 4), unit }).trim();
+  return least === null ? say("curves.no_values") : say("curves.range_unit", { least: orInfinite(least), greatest: orInfinite(greatest), unit }).trim();
 };
 
 const upTo = (values) => say("range.at_most", { value: number(Math.max(...values), 4) });
@@ -23,7 +25,7 @@ export function pairSheets(mesh) {
   if (!mesh.touches) return [countSheet(mesh)];
   const ways = Array.from({ length: PATH_STEPS + 1 }, (_, i) => mesh.start + ((mesh.end - mesh.start) * i) / PATH_STEPS);
   const x = ways.map((way) => way - mesh.pitchPoint);
-  const along = { x, xRange: [x[0], x.at(-1)], xLabel: say("gear.axis_path"), xAt: (deg) => { const way = mesh.followed(deg); return way === null ? null : way - mesh.pitchPoint; },
+  const along = { x, xRange: [x[0], x.at(-1)], xLabel: withUnit(say("gear.axis_path"), say("unit.length")), xAt: (deg) => { const way = mesh.followed(deg); return way === null ? null : way - mesh.pitchPoint; },
     driveAt: (at) => (Math.min(x.at(-1), Math.max(x[0], at)) - x[0]) / mesh.pinion.base / RADIANS,
     marks: [{ at: 0, colour: "--dwell" }], shades: aloneShades(mesh) };
   const sliding = ways.map((way) => mesh.sliding(way));
@@ -70,9 +72,9 @@ export function thicknessSheets({ body, range, angleAt, radius }, generation) {
   }
   const x = rows.map(({ r }) => r);
   const [tooth, space] = [rows.map(({ thickness }) => thickness), rows.map(({ r, thickness }) => r * body.pitch - thickness)];
-  const note = sentence(rangeOf(tooth, say("unit.length")));
+  const note = say("gear.of_tooth", { range: sentence(rangeOf(tooth, say("unit.length"))) });
   const curvature = flankCurvature(body);
-  const along = { xLabel: say("gear.axis_radius"), xAt: (deg) => generation.radius(deg * RADIANS), driveAt: (at) => Math.min(range.deg, Math.max(-range.deg, generation.angleAt(at) / RADIANS)) };
+  const along = { xLabel: withUnit(say("gear.axis_radius"), say("unit.length")), xAt: (deg) => generation.radius(deg * RADIANS), driveAt: (at) => Math.min(range.deg, Math.max(-range.deg, generation.angleAt(at) / RADIANS)) };
   const marksWithin = (x) => [{ at: body.form, colour: "--form" }, { at: body.base, colour: "--base" }, { at: body.reference, colour: "--working" }].filter(({ at }) => at > x[0] && at < x.at(-1));
   return [{ ...along, x, xRange: [x[0], x.at(-1)], title: say("unit.axis", { name: say("gear.thickness"), unit: say("unit.length") }), summary: note, note, marks: marksWithin(x),
     lines: [gearLine(say("gear.tooth"), "--pinion", tooth), gearLine(say("gear.space"), "--wheel", space)] },

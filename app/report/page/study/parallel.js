@@ -7,7 +7,10 @@ import { say } from "../words.js";
 import { shorten, sized } from "./axes.js";
 
 // `least`: pixels that an axis takes where there is room, `narrow` where there is little, and its name stands upright.
-const PARALLEL = { height: 330, top: 64, foot: 26, least: 92, narrow: 44, phone: 560, bins: 28, most: 14 };
+const PARALLEL = { height: 330, top: 64, foot: 26, least: 92, narrow: 70, phone: 560, bins: 28, most: 14 };
+
+// How many letters of a text have room between two narrow axes: Chinese ones are as wide as high.
+const lettersIn = (room, text) => Math.max(4, Math.floor((room - 12) / (/[\u4e00-\u9fff]/.test(text) ? 11 : 6.2)));
 
 // What is not drawn at first: columns of one value, and of many the least useful.
 function firstHidden(columns) {
@@ -112,7 +115,7 @@ export class Parallel {
     const group = svg("g", { transform: `translate(${round(x)} 0)` }, axis.bars, svg("path", { class: "axis-line", d: `M0 ${top}V${bottom}` }));
     for (const v of axis.room < 60 ? column.ticks(scale, 300) : column.ticks(scale, 44)) {
       const y = round(scale(v));
-      group.append(svg("path", { class: "tick", d: `M-4 ${y}H0` }), svg("text", { class: "tick-text", x: -7, y: y + 4, "text-anchor": "end" }, shorten(column.show(v, 4), 12)));
+      group.append(svg("path", { class: "tick", d: `M-4 ${y}H0` }), svg("text", { class: "tick-text", x: -7, y: y + 4, "text-anchor": "end" }, shorten(column.show(v, 4), axis.room < 92 ? lettersIn(axis.room, column.show(v, 4)) : 12)));
     }
     if (column.missing) group.append(svg("text", { class: "tick-text", x: 0, y: PARALLEL.height - 4, "text-anchor": "middle" }, say("parallel.missing")));
     const brush = d3.brushY().extent([[-13, top], [13, bottom]]).on("brush end", (event) => { if (event.sourceEvent) this.#brushed(axis, event.selection); });

@@ -71,7 +71,7 @@ export class Histogram {
   // A label stands in the lowest row in which it does not meet another; where all are taken it is left to the pointer.
   #marks(marks, x, foot, width) {
     const taken = Array(BOX.rows).fill(-Infinity);
-    return [...marks].sort((p, q) => p[1] - q[1]).flatMap(([name, value, kind]) => {
+    const placed = [...marks].sort((p, q) => p[1] - q[1]).map(([name, value, kind]) => {
       const at = x(value);
       const text = `${name} ${number(value, 4)}`;
       const half = 3.3 * text.length;
@@ -79,9 +79,10 @@ export class Histogram {
       const row = taken.findIndex((end) => middle - half > end + 6);
       if (row >= 0) taken[row] = middle + half;
       const y = BOX.top - 8 - BOX.rowHeight * row;
-      return [svg("path", { class: `mark-line ${kind}`, "data-at": value, d: `M${round(at)} ${row < 0 ? BOX.top : y + 3}V${foot}` }, svg("title", {}, text)),
-        ...(row >= 0 ? [svg("text", { class: `tick ${kind}`, x: round(middle), y, "text-anchor": "middle" }, text)] : [])];
+      const line = svg("path", { class: `mark-line ${kind}`, "data-at": value, d: `M${round(at)} ${row < 0 ? BOX.top : y + 3}V${foot}` }, svg("title", {}, text));
+      return { line, label: row < 0 ? [] : [svg("text", { class: `tick ${kind}`, x: round(middle), y, "text-anchor": "middle" }, text)] };
     });
+    return [...placed.map(({ line }) => line), ...placed.flatMap(({ label }) => label)];
   }
 }
 
