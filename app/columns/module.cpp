@@ -118,6 +118,7 @@ class Column {
   hid_t dataset() const { return dataset_; }
 
   void append(const void* values, std::size_t count) {
+    if (count == 0) return;
     const hsize_t from = written_, size = count;
     const Handle memory = line_of(count);
     checked(H5Sselect_hyperslab(space_, H5S_SELECT_SET, &from, nullptr, &size, nullptr));
@@ -159,9 +160,9 @@ void write_columns_file(const std::filesystem::path& path, const ColumnsHead& he
     const Handle group = new_group(file, "study");
     for (const auto& [name, text] : head.study) write_text(group, name, text);
   }
-  if (!head.front.empty()) {
-    Column front(file, "front", Handle(H5Tcopy(H5T_NATIVE_INT64), H5Tclose), head.front.size());
-    front.append(head.front.data(), head.front.size());
+  if (head.front) {
+    Column front(file, "front", Handle(H5Tcopy(H5T_NATIVE_INT64), H5Tclose), head.front->size());
+    front.append(head.front->data(), head.front->size());
   }
   {
     const Handle group = new_group(file, "runs");

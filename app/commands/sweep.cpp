@@ -64,12 +64,31 @@ EvaluatorMaker evaluators(const problems::Study& study, std::uint64_t seed) {
   };
 }
 
-/// Takes over the rows of other files; sentences on them.
-std::vector<std::string> merge(const Sweep& sweep, StudyDatabase& database) {
+/// What is said of blocks without checksums, of the file `of` if it has a name.
+std::string unchecked_words(std::int64_t blocks, const std::string& of) {
+  return fmt::format(
+      "{} blocks of rows{} have no checksums, having been stored without; whether they changed "
+      "since is not known",
+      grouped(blocks), of.empty() ? "" : " of " + of);
+}
+
+/// The other files whose rows are to be taken over by that in `own`.
+std::list<OtherStudyFile> others_of(const Sweep& sweep, const fs::path& own) {
   std::list<OtherStudyFile> others;
   for (const fs::path& file : sweep.own.merged) {
-    others.emplace_back(file, database.file(), sweep.study, sweep.origin);
+    std::error_code error;
+    const auto is_it = [&](const auto& other) { return fs::equivalent(file, other.file(), error); };
+    if (std::ranges::any_of(others, is_it)) {
+      throw StudyFileError(fmt::format("--merge: '{}' is named twice", file.string()));
+    }
+    others.emplace_back(file, own, sweep.study, sweep.origin);
   }
+  return others;
+}
+
+/// Takes over the rows of other files; sentences on them.
+std::vector<std::string> merge(const Sweep& sweep, std::list<OtherStudyFile> others,
+                               StudyDatabase& database) {
   const auto& interrupted = catch_interrupts();
   std::vector<std::string> notes;
   const auto evaluated = [&] { return database.counts().evaluated; };
@@ -77,8 +96,10 @@ std::vector<std::string> merge(const Sweep& sweep, StudyDatabase& database) {
   for (OtherStudyFile& other : others) {
     const std::int64_t designs =
         other.store_in(database, interrupted, [&] { progress.update(evaluated()); });
-    notes.push_back(fmt::format("{} designs taken over from {}", grouped(designs),
-                                printable(other.file().string())));
+    const auto name = printable(other.file().string());
+    notes.push_back(fmt::format("{} designs taken over from {}", grouped(designs), name));
+    if (other.unchecked_blocks() > 0)
+      notes.push_back(unchecked_words(other.unchecked_blocks(), name));
   }
   return notes;
 }
@@ -118,10 +139,7 @@ StudySummary run(const Sweep& sweep, StudyDatabase& database, StudyProcesses& pr
             : fmt::format("continued after {} designs evaluated before", grouped(before)));
   }
   if (database.unchecked_blocks() > 0) {
-    summary.notes.push_back(
-        fmt::format("{} blocks of rows have no checksums, having been stored without; whether "
-                    "they changed since is not known",
-                    grouped(database.unchecked_blocks())));
+    summary.notes.push_back(unchecked_words(database.unchecked_blocks(), ""));
   }
   return summary;
 }
@@ -198,8 +216,9 @@ ExitStatus direct(const Sweep& sweep, StudyProcesses& processes, std::string_vie
   std::string fault = lock ? "" : lock.error();
   if (lock) {
     try {
+      auto others = others_of(sweep, file);
       database.emplace(file, sweep.study, sweep.origin);
-      merged = merge(sweep, *database);
+      merged = merge(sweep, std::move(others), *database);
     } catch (const StudyFileError& error) {
       fault = error.what();
     }

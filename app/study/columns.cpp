@@ -34,9 +34,15 @@ WriteColumns* writer() {
 
 /// As readers of the table know it: "length" is the unit of the study's lengths, where it has one.
 std::string unit_of(const std::string& column, const problems::Study& study) {
-  const auto unit = metric_unit(column);
-  if (unit != "length") return unit;
-  return study.length_unit ? std::string(problems::to_string(*study.length_unit)) : "";
+  constexpr std::string_view kLength = "length";
+  auto unit = metric_unit(column);
+  // "of the target", "N or N·m": of some problems the one, of others the other.
+  if (unit.find(" or ") != std::string::npos || unit.find("target") != std::string::npos) return "";
+  for (auto at = unit.find(kLength); at != std::string::npos; at = unit.find(kLength)) {
+    if (!study.length_unit) return "";
+    unit.replace(at, kLength.size(), problems::to_string(*study.length_unit));
+  }
+  return unit;
 }
 
 /// "SELECT a(x), a(y) FROM runs" for each of `names`; `form` has {} for the name.
@@ -94,8 +100,10 @@ ColumnsHead head_of(SqliteDatabase& database, const problems::Study& study) {
                    .rows = database.integer("SELECT count(*) FROM runs")};
   auto rows = database.prepare("SELECT name, value FROM study ORDER BY rowid");
   while (rows.step()) head.study.emplace_back(rows.text(0), rows.text(1));
+  if (study.objectives.size() < 2) return head;
+  head.front.emplace();
   auto front = database.prepare("SELECT id FROM front ORDER BY id");
-  while (front.step()) head.front.push_back(front.integer(0));
+  while (front.step()) head.front->push_back(front.integer(0));
   return head;
 }
 

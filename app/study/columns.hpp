@@ -4,13 +4,14 @@
 /// length, by ascending `id`: `id` of 64-bit integers; numbers of doubles, NaN where a design has
 /// none; words and `status` of fixed length in UTF-8, filled up with zeros. Attribute `unit` of a
 /// column. Group `study`: the rows of the table `study`. Dataset `front`: the ids on the Pareto
-/// front, where there are several objectives.
+/// front, with several objectives.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -31,7 +32,7 @@ struct ColumnHead {
 
 struct ColumnsHead {
   std::vector<std::pair<std::string, std::string>> study;
-  std::vector<std::int64_t> front;
+  std::optional<std::vector<std::int64_t>> front;
   std::vector<ColumnHead> columns;  ///< without `id`
   std::int64_t rows = 0;
 };

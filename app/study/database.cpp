@@ -142,9 +142,9 @@ auto StudyDatabase::guarded(Body&& body) {
 
 namespace {
 
-SqliteDatabase opened(const std::filesystem::path& file) {
+SqliteDatabase opened(const std::filesystem::path& file, SqliteDatabase::Access access) {
   try {
-    return {file, SqliteDatabase::Access::write_or_create};
+    return {file, access};
   } catch (const SqliteError& error) {
     throw StudyFileError(explained(error, file));
   }
@@ -153,28 +153,25 @@ SqliteDatabase opened(const std::filesystem::path& file) {
 }  // namespace
 
 StudyDatabase::StudyDatabase(std::filesystem::path file, const problems::Study& study,
-                             const StudyOrigin& origin)
+                             const StudyOrigin& origin, SqliteDatabase::Access access)
     : file_(std::move(file)),
       designs_(problems::design_count(study)),
       width_(problems::study_columns(study).size()),
-      connection_(opened(file_)) {
+      connection_(opened(file_, access)) {
   const auto columns = problems::study_columns(study);
   for (const auto& objective : study.objectives) {
     objectives_.emplace_back(column_of(columns, objective.name), objective.greatest ? -1.0 : 1.0);
   }
   guarded([&] {
     const auto identity = study_identity(study, origin);
-    const bool is_new = connection_.integer("SELECT count(*) FROM sqlite_master") == 0;
-    if (!is_new && connection_.integer("PRAGMA application_id") != kStudyApplicationId) {
+    const bool writes = access == SqliteDatabase::Access::write_or_create;
+    const auto application = connection_.integer("PRAGMA application_id");
+    const bool is_new = writes && application == 0 &&
+                        connection_.integer("SELECT count(*) FROM sqlite_master") == 0;
+    if (!is_new && application != kStudyApplicationId) {
       throw StudyFileError(explained(SqliteError(SQLITE_NOTADB, ""), file_));
     }
-    if (connection_.text("PRAGMA journal_mode = WAL") != "wal") {
-      throw StudyFileError(fmt::format(
-          "'{}': the file system has no shared memory for SQLite's write-ahead log; give a folder "
-          "on another one by --out",
-          file_.string()));
-    }
-    connection_.execute("PRAGMA synchronous = NORMAL");
+    if (writes) keep_a_log();
     if (is_new) create(study, identity);
     check_whole();
     const auto difference = study_difference(stored_identity(connection_), identity);
@@ -184,18 +181,31 @@ StudyDatabase::StudyDatabase(std::filesystem::path file, const problems::Study& 
                       "give another folder by --out",
                       file_.string(), difference));
     }
-    connection_.execute(kChecksumTable);
+    check_schema(study);
+    if (writes) connection_.execute(kChecksumTable);
     check_blocks();
     load_counts();
     unchecked_blocks_ = check_rows(connection_);
     load_front();
-    prepare();
+    if (writes) prepare();
   });
+}
+
+/// What is committed survives the process, and is read while it is written.
+void StudyDatabase::keep_a_log() {
+  if (connection_.text("PRAGMA journal_mode = WAL") != "wal") {
+    throw StudyFileError(fmt::format(
+        "'{}': the file system has no shared memory for SQLite's write-ahead log; give a folder "
+        "on another one by --out",
+        file_.string()));
+  }
+  connection_.execute("PRAGMA synchronous = NORMAL");
 }
 
 void StudyDatabase::create(const problems::Study& study, const Identity& identity) {
   connection_.execute("BEGIN IMMEDIATE");
-  connection_.execute(study_schema(study));
+  connection_.execute(fmt::format("PRAGMA application_id = {}", kStudyApplicationId));
+  for (const auto& statement : study_schema(study)) connection_.execute(statement);
   auto insert = connection_.prepare("INSERT INTO study VALUES (?, ?)");
   for (const auto& [name, value] : identity) {
     insert.bind(1, std::string_view(name));

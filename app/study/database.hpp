@@ -55,10 +55,10 @@ struct StudyCounts {
 /// StudyFileError where the file cannot be read or written; what had been committed is then there.
 class StudyDatabase {
  public:
-  /// Opens the study file, or makes it where there is none. Throws where the file is of another
-  /// study, text, version or seed, damaged, or no study file at all.
-  StudyDatabase(std::filesystem::path file, const problems::Study& study,
-                const StudyOrigin& origin);
+  /// Opens the study file, or makes it where there is none; only to read, it is not changed. Throws
+  /// where the file is of another study, text, version or seed, damaged, or no study file at all.
+  StudyDatabase(std::filesystem::path file, const problems::Study& study, const StudyOrigin& origin,
+                SqliteDatabase::Access access = SqliteDatabase::Access::write_or_create);
   StudyDatabase(const StudyDatabase&) = delete;
   StudyDatabase& operator=(const StudyDatabase&) = delete;
 
@@ -87,7 +87,9 @@ class StudyDatabase {
   void insert_rows(const problems::StudyBlock& block);
   void insert_block(const problems::StudyBlock& block);
   void update_front(const problems::StudyBlock& block);
+  void keep_a_log();
   void check_whole();
+  void check_schema(const problems::Study& study);
   void check_blocks();
   void load_counts();
   void load_front();

@@ -5,18 +5,31 @@
 #include <algorithm>
 
 #include "app/study/database.hpp"
+#include "app/study/schema.hpp"
 
 namespace cognate::app {
 
 /// Finds damage of the file as a database, and tables that are not there.
 void StudyDatabase::check_whole() {
-  const auto found = connection_.text("PRAGMA quick_check(1)");
+  const auto found = connection_.text("PRAGMA integrity_check(1)");
   if (found != "ok") throw SqliteError(SQLITE_CORRUPT, found);
   for (const char* table : {"study", "runs", "blocks", "front", "best"}) {
     const auto count = fmt::format("SELECT count(*) FROM sqlite_master WHERE name = '{}'", table);
     if (connection_.integer(count) == 0) {
       throw SqliteError(SQLITE_CORRUPT, fmt::format("it has no table {}", table));
     }
+  }
+}
+
+/// Finds tables and a view that are others than those of the study: a changed name of a column
+/// would be a word in every row.
+void StudyDatabase::check_schema(const problems::Study& study) {
+  auto stored = connection_.prepare(
+      "SELECT sql FROM sqlite_master WHERE sql IS NOT NULL AND name <> 'checksums' ORDER BY rowid");
+  std::vector<std::string> statements;
+  while (stored.step()) statements.push_back(stored.text(0));
+  if (statements != study_schema(study)) {
+    throw SqliteError(SQLITE_CORRUPT, "its tables are not those of the study");
   }
 }
 

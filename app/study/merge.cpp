@@ -38,7 +38,7 @@ OtherStudyFile::OtherStudyFile(const fs::path& file, const fs::path& own,
   auto lock = StudyLock::take(lock_file(target));
   if (!lock) throw StudyFileError(lock.error());
   lock_.emplace(*std::move(lock));
-  database_.emplace(target, study, origin);
+  database_.emplace(target, study, origin, SqliteDatabase::Access::read);
 }
 
 std::int64_t OtherStudyFile::store_in(StudyDatabase& own, const std::atomic<bool>& stopped,

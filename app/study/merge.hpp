@@ -26,6 +26,8 @@ class OtherStudyFile {
                         const std::function<void()>& progress);
 
   const std::filesystem::path& file() const { return database_->file(); }
+  /// As of StudyDatabase.
+  std::int64_t unchecked_blocks() const { return database_->unchecked_blocks(); }
 
  private:
   std::optional<StudyLock> lock_;

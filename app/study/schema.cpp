@@ -62,19 +62,20 @@ Identity study_identity(const problems::Study& study, const StudyOrigin& origin)
           {"designs", fmt::format("{}", problems::design_count(study))}};
 }
 
-std::string study_schema(const problems::Study& study) {
+std::vector<std::string> study_schema(const problems::Study& study) {
   std::string columns;
   for (const auto& name : problems::study_columns(study)) columns += sql_name(name) + ", ";
-  return fmt::format(
-      "PRAGMA application_id = {};"
-      "CREATE TABLE study (name TEXT PRIMARY KEY, value TEXT NOT NULL);"
-      "CREATE TABLE runs (id INTEGER PRIMARY KEY, {}status TEXT NOT NULL);"
-      "CREATE TABLE blocks (first INTEGER PRIMARY KEY, count INTEGER NOT NULL,"
-      " kept INTEGER NOT NULL, filtered INTEGER NOT NULL, solved INTEGER NOT NULL,"
-      " infeasible INTEGER NOT NULL, no_solution INTEGER NOT NULL, invalid INTEGER NOT NULL);"
-      "CREATE TABLE front (id INTEGER PRIMARY KEY);"
-      "CREATE VIEW best AS {};",
-      kStudyApplicationId, columns, best_of(study));
+  std::string counts;
+  for (const char* name :
+       {"count", "kept", "filtered", "solved", "infeasible", "no_solution", "invalid"}) {
+    counts += fmt::format(", {} INTEGER NOT NULL", name);
+  }
+  return {
+      "CREATE TABLE study (name TEXT PRIMARY KEY, value TEXT NOT NULL)",
+      fmt::format("CREATE TABLE runs (id INTEGER PRIMARY KEY, {}status TEXT NOT NULL)", columns),
+      fmt::format("CREATE TABLE blocks (first INTEGER PRIMARY KEY{})", counts),
+      "CREATE TABLE front (id INTEGER PRIMARY KEY)",
+      fmt::format("CREATE VIEW best AS {}", best_of(study))};
 }
 
 std::string study_difference(const Identity& stored, const Identity& wanted) {

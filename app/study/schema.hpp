@@ -19,8 +19,8 @@ inline constexpr const char* kStudyFormat = "cognate-study-file/1";
 std::vector<std::pair<std::string, std::string>> study_identity(const problems::Study& study,
                                                                 const StudyOrigin& origin);
 
-/// The statements that make the tables and the view `best`.
-std::string study_schema(const problems::Study& study);
+/// The statements that make the tables and the view `best`, as SQLite keeps them.
+std::vector<std::string> study_schema(const problems::Study& study);
 
 /// How a stored identity differs from the `wanted` one, in words; empty if it does not.
 std::string study_difference(const std::vector<std::pair<std::string, std::string>>& stored,

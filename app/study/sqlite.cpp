@@ -98,8 +98,10 @@ problems::Cell SqliteStatement::cell(int column) const {
     case SQLITE_INTEGER:
     case SQLITE_FLOAT:
       return real(column);
-    default:
+    case SQLITE_TEXT:
       return text(column);
+    default:
+      throw SqliteError(SQLITE_CORRUPT, "a value is neither a number nor a word");
   }
 }
 

@@ -81,6 +81,11 @@ constexpr std::size_t kDeepened = 24, kFinished = 2;
 constexpr int kOrderingRounds = 6;
 /// How often stations of a minimum are parted.
 constexpr int kPartingRounds = 20;
+/// How often stations are held at dead points or given up, and how near to one they are.
+constexpr int kHoldingRounds = 12;
+constexpr double kNearDead = 0.02;
+/// As a share of all links, by how much a linkage closes whose closing is then a constraint.
+constexpr double kNearBorder = 0.02;
 /// Starts of a round, and the fewest and most of a search where the file does not say: without and
 /// with limits. From which start on those of a search with limits are also designs found,
 /// disturbed.
@@ -146,6 +151,8 @@ class MotionSearch {
   void confine(MotionMinimum& minimum) const;
   void part_stations(const MotionProblem& problem, Solver solver, const synthesis::Options& options,
                      MotionFound& found);
+  void hold_at_dead_points(const MotionProblem& problem, Solver solver,
+                           const synthesis::Options& options, MotionFound& found);
   std::optional<MotionStart> near_found(int index) const;
   void add_known(const std::vector<DyadPair>& known);
   void add_round(const MotionStarts& starts, int first, int count);
@@ -265,6 +272,31 @@ void MotionSearch::part_stations(const MotionProblem& problem, Solver solver,
   }
 }
 
+/// A minimum on the border of what closes: a descent creeps along it, since beside a dead point
+/// the body turns without the crank. Its stations there are held, and given up again where their
+/// poses would be nearer before the dead point, as long as that lowers the error.
+void MotionSearch::hold_at_dead_points(const MotionProblem& problem, Solver solver,
+                                       const synthesis::Options& options, MotionFound& found) {
+  for (int round = 0; round < kHoldingRounds && found.violation == 0; ++round) {
+    if (deadline_.reached()) return;
+    const std::vector<double>& x = found.minimum.solution.x;
+    const MotionModel model(problem, found.minimum.form);
+    std::vector<double> angles = model.station_angles(x);
+    const auto pressed = model.pressed_inwards(x);
+    auto next = pressed ? model.released(x, *pressed, angles) : model.kept_closed(x, kNearBorder);
+    if (!next) next = model.with_held(x, kNearDead);
+    if (!next) return;
+    MotionFound other = found;
+    other.minimum.form = *std::move(next);
+    other.minimum.solution.x = MotionModel(problem, other.minimum.form).with_angles(x, angles);
+    fit(problem, solver, options, other.minimum);
+    if (other.minimum.solution.stop == synthesis::Stop::no_value) return;
+    other.violation = design_violation(problem, other.minimum);
+    if (other.violation > 0 || !is_better(other.minimum, found.minimum)) return;
+    found = std::move(other);
+  }
+}
+
 void MotionSearch::explore(const std::vector<DyadPair>& known, std::optional<int> starts) {
   add_known(known);
   std::optional<MotionStarts> source;
@@ -352,6 +384,7 @@ void MotionSearch::refine_best(const MotionProblem& problem, std::size_t reserve
     refined.violation = design_violation(problem, refined.minimum);
     put_in_order(problem, solver, refining, refined);
     part_stations(problem, solver, refining, refined);
+    hold_at_dead_points(problem, solver, refining, refined);
     if (!is_worse(refined, found)) found = std::move(refined);
   });
   search_.merge(kSameMinimum);

@@ -14,7 +14,10 @@ namespace {
 bool is_close(const MotionMinimum& a, const MotionMinimum& b, double tolerance) {
   if (a.form.second != b.form.second || a.form.confined_to != b.form.confined_to) return false;
   if (a.form.sides != b.form.sides || a.form.stations != b.form.stations) return false;
-  if (a.form.ends != b.form.ends) return false;
+  if (a.form.ends != b.form.ends || a.form.held != b.form.held) return false;
+  if (a.form.closes_towards != b.form.closes_towards || a.form.closes_away != b.form.closes_away) {
+    return false;
+  }
   for (std::size_t i = 0; i < a.solution.x.size(); ++i) {
     const double difference = std::abs(a.solution.x[i] - b.solution.x[i]);
     if (difference > tolerance * (1 + std::abs(a.solution.x[i]))) return false;

@@ -50,11 +50,6 @@ MotionForm form_of(const MotionProblem& problem, const DyadPair& pair) {
   return form;
 }
 
-/// The mechanism at one crank angle.
-struct MotionModel::Station {
-  Vec2d crank, pin, turn;  ///< crank and turn: unit vectors
-};
-
 namespace {
 
 Constraints on_lengths(const MotionProblem& problem, const MotionForm& form) {
@@ -96,11 +91,16 @@ void MotionModel::list_stations() {
   std::vector<int> local(count, -1);
   std::size_t next = free_.size() + (has_ends ? 2 : 0);
   for (std::size_t k = 0; k < count; ++k) {
+    if (held(k)) {
+      variable_of_station_.push_back(kHeld);
+      continue;
+    }
     const bool is_end = has_ends && (k == first || k == last);
     if (!is_end) local[k] = local_count_++;
     variable_of_station_.push_back(is_end ? free_.size() + (k == last ? 1 : 0) : next++);
   }
   for (std::size_t k = 0; k < count; ++k) {
+    if (held(k)) continue;
     variables_.push_back({"crank angle " + std::to_string(k), -1e3 * kTurn, 1e3 * kTurn, 1});
   }
   for (std::size_t j = 0; j < problem_.poses.size(); ++j) {
@@ -109,8 +109,16 @@ void MotionModel::list_stations() {
 }
 
 std::vector<double> MotionModel::station_angles(std::span<const double> x) const {
-  std::vector<double> angles;
-  for (const std::size_t variable : variable_of_station_) angles.push_back(x[variable]);
+  const Full v = full(x);
+  std::vector<double> angles(station_count());
+  for (std::size_t j = 0; j < problem_.poses.size(); ++j) {
+    const std::size_t k = station_of(j), variable = variable_of_station_[k];
+    if (variable != kHeld) {
+      angles[k] = x[variable];
+    } else if (const auto at = dead_station(v, *held(k), form_.sides[j])) {
+      angles[k] = at->crank_angle;
+    }
+  }
   return angles;
 }
 
@@ -133,7 +141,7 @@ std::vector<double> MotionModel::with_angles(std::span<const double> x,
   std::vector<double> with(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(free_.size()));
   with.resize(variables_.size());
   for (std::size_t k = 0; k < station_angles.size(); ++k) {
-    with[variable_of_station_[k]] = station_angles[k];
+    if (variable_of_station_[k] != kHeld) with[variable_of_station_[k]] = station_angles[k];
   }
   return with;
 }
@@ -153,6 +161,42 @@ std::optional<MotionModel::Station> MotionModel::station(const Full& v, std::siz
   return Station{crank, pin, condition.turn(form_.sides[pose])};
 }
 
+const std::optional<HeldDeadPoint>& MotionModel::held(std::size_t station) const {
+  static const std::optional<HeldDeadPoint> none;
+  return form_.held.empty() ? none : form_.held[station];
+}
+
+std::optional<MotionModel::Station> MotionModel::station_of_pose(std::span<const double> x,
+                                                                 const Full& v,
+                                                                 std::size_t pose) const {
+  const std::size_t k = station_of(pose);
+  if (!held(k)) return station(v, pose, x[variable_of_station_[k]]);
+  const auto at = dead_station(v, *held(k), form_.sides[pose]);
+  if (!at) return std::nullopt;
+  return Station{unit_vector(at->crank_angle), at->pin, at->turn};
+}
+
+/// The rows of a pose whose station is held: the body stands where the dimensions say.
+void MotionModel::set_slopes_of_held(const DeadStation& at, const Vec2d& arm, std::size_t pose,
+                                     std::span<double> jacobian, std::span<double> local) const {
+  const auto n = static_cast<std::size_t>(global_count());
+  for (std::size_t i = 0; i < n; ++i) {
+    Vec2d place{};
+    double turned = 0;
+    if (i < free_.size()) {
+      const auto dimension = static_cast<std::size_t>(free_[i]);
+      turned = at.turn_slopes[dimension];
+      place = at.pin_slopes[dimension] - turned * perp(arm);
+      if (dimension == kMoving1) place = place - at.turn;
+      if (dimension == kMoving1 + 1) place = place - perp(at.turn);
+    }
+    jacobian[(3 * pose) * n + i] = place.x;
+    jacobian[(3 * pose + 1) * n + i] = place.y;
+    jacobian[(3 * pose + 2) * n + i] = problem_.angle_weight * turned;
+  }
+  if (!local.empty()) std::fill_n(local.begin() + static_cast<std::ptrdiff_t>(3 * pose), 3, 0.0);
+}
+
 bool MotionModel::residuals(std::span<const double> x, std::span<double> r,
                             std::span<double> jacobian, std::span<double> local) const {
   const Full v = full(x);
@@ -162,7 +206,7 @@ bool MotionModel::residuals(std::span<const double> x, std::span<double> r,
   const auto n = static_cast<std::size_t>(global_count());
   for (std::size_t j = 0; j < problem_.poses.size(); ++j) {
     const std::size_t angle_variable = variable_of_station_[station_of(j)];
-    const auto at = station(v, j, x[angle_variable]);
+    const auto at = station_of_pose(x, v, j);
     if (!at) return false;
     const Vec2d arm = at->turn * first;
     const Vec2d miss = at->pin - arm - problem_.poses[j].at;
@@ -170,6 +214,11 @@ bool MotionModel::residuals(std::span<const double> x, std::span<double> r,
     r[3 * j + 1] = miss.y;
     r[3 * j + 2] = weight * angle_of(at->turn * conj(unit_vector(problem_.poses[j].angle)));
     if (jacobian.empty() && local.empty()) continue;
+    if (angle_variable == kHeld) {
+      set_slopes_of_held(*dead_station(v, *held(station_of(j)), form_.sides[j]), arm, j, jacobian,
+                         local);
+      continue;
+    }
 
     const TurnSlopes slopes = turn_slopes(form_.second, second, first, at->pin, at->turn);
     // The body's angle by each dimension: −F'/F'ψ; the pin's way, and the arm's apart from turning.
@@ -259,7 +308,7 @@ std::vector<Pose> MotionModel::reached(std::span<const double> x) const {
   const Full v = full(x);
   std::vector<Pose> poses;
   for (std::size_t j = 0; j < problem_.poses.size(); ++j) {
-    const auto at = station(v, j, x[variable_of_station_[station_of(j)]]);
+    const auto at = station_of_pose(x, v, j);
     if (!at) return {};
     poses.push_back({at->pin - at->turn * point(v, kMoving1), angle_of(at->turn)});
   }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "problems/guidance/dead_station.hpp"
 #include "problems/guidance/design.hpp"
 #include "problems/guidance/problem.hpp"
 #include "problems/linkage/cycle/cycle_limits.hpp"
@@ -29,6 +30,12 @@ struct MotionForm {
   /// Stations between which the crank is driven where limits refer to that; empty: those of the
   /// first and of the last pose.
   std::optional<std::pair<std::size_t, std::size_t>> ends;
+  /// For each station the dead point at which it is held, having no crank angle of its own: there a
+  /// crank angle says nothing of the body's. Empty: none is.
+  std::vector<std::optional<HeldDeadPoint>> held;
+  /// Whether the four-bar is kept closed where the crank is in line with the frame, towards the far
+  /// pivot and away from it.
+  bool closes_towards = false, closes_away = false;
 };
 
 /// The links of the four-bar of two links.
@@ -94,7 +101,7 @@ class MotionModel final : public synthesis::Model {
   /// where the mechanism does not close at some pose.
   std::vector<double> angle_slopes(std::span<const double> x) const;
 
-  /// The crank angles of the stations, and `x` with others.
+  /// The crank angles of the stations, and `x` with others, but for those of stations held.
   std::vector<double> station_angles(std::span<const double> x) const;
   std::vector<double> with_angles(std::span<const double> x,
                                   std::span<const double> station_angles) const;
@@ -106,13 +113,30 @@ class MotionModel final : public synthesis::Model {
   /// mechanism does not close.
   std::optional<synthesis::Pose> body_at(std::span<const double> x, double crank_angle) const;
 
+  /// The form with those stations held whose coupler and rocker are in line but for `angle`. Empty
+  /// where there are no others than before, and where limits refer to the ends of the motion.
+  std::optional<MotionForm> with_held(std::span<const double> x, double angle) const;
+  /// The form that is kept closed in line with the frame, where the crank goes through that line on
+  /// its way from the first pose to the last and the linkage closes there by less than `share` of
+  /// its links. Empty where that is the form already, and where limits refer to the ends.
+  std::optional<MotionForm> kept_closed(std::span<const double> x, double share) const;
+  /// A station that is held although its poses would be nearer before the dead point, if any.
+  std::optional<std::size_t> pressed_inwards(std::span<const double> x) const;
+  /// The form with that station at a crank angle of its own, which is put in `angles`.
+  std::optional<MotionForm> released(std::span<const double> x, std::size_t station,
+                                     std::vector<double>& angles) const;
+
   /// The dyads, and where the body stands at each pose; `x` must have a value.
   DyadPair pair(std::span<const double> x) const;
   std::vector<synthesis::Pose> reached(std::span<const double> x) const;
 
  private:
   using Full = std::array<double, dimensions>;
-  struct Station;
+  /// The mechanism at one crank angle.
+  struct Station {
+    Vec2d crank, pin, turn;  ///< crank and turn: unit vectors
+  };
+  static constexpr std::size_t kHeld = static_cast<std::size_t>(-1);  ///< for a variable
 
   void list_variables();
   void add_variable(int dimension, std::optional<double> given, Range range, const char* name);
@@ -124,8 +148,19 @@ class MotionModel final : public synthesis::Model {
                           std::span<double> jacobian) const;
   Full full(std::span<const double> x) const;
   Full dimensions_of(const DyadPair& pair) const;
+  struct ClosingSlack {
+    double value = 0, links = 0;  ///< the slack, and the sum of all links
+    Full slopes{};
+  };
+  ClosingSlack closing_slack(const Full& v, bool towards) const;
+  void limit_closing(const Full& v, std::span<double> c, std::span<double> jacobian) const;
   void limit_turn(const Full& v, std::span<double> c, std::span<double> jacobian) const;
   std::optional<Station> station(const Full& v, std::size_t pose, double crank_angle) const;
+  std::optional<Station> station_of_pose(std::span<const double> x, const Full& v,
+                                         std::size_t pose) const;
+  const std::optional<HeldDeadPoint>& held(std::size_t station) const;
+  void set_slopes_of_held(const DeadStation& at, const Vec2d& arm, std::size_t pose,
+                          std::span<double> jacobian, std::span<double> local) const;
   double nearest_crank_angle(const Full& v, std::size_t pose) const;
 
   /// A limit of the distance of two points among the dimensions, c = sign·(distance − limit).

@@ -11,9 +11,17 @@ namespace cognate::problems {
 
 using namespace motion_dimensions;
 
+namespace {
+
+/// By this share of all links a form that is kept closed does more than that.
+constexpr double kKeptClosed = 1e-9;
+constexpr double kLeastLength = std::numeric_limits<double>::min();
+
+}  // namespace
+
 int MotionModel::constraint_count() const {
   return linkage_constraints_.count() + static_cast<int>(distance_limits_.size()) +
-         cycle_limits_.count() + driven_range_.count();
+         cycle_limits_.count() + driven_range_.count() + form_.closes_towards + form_.closes_away;
 }
 
 void MotionModel::constraints(std::span<const double> x, std::span<double> c,
@@ -68,6 +76,45 @@ void MotionModel::constraints(std::span<const double> x, std::span<double> c,
   limit_turn(v, c.subspan(before_turn), rest(before_turn));
   const std::size_t before_range = before_turn + static_cast<std::size_t>(cycle_limits_.count());
   limit_driven_range(x, v, c.subspan(before_range), rest(before_range));
+  const std::size_t before_closing = before_range + static_cast<std::size_t>(driven_range_.count());
+  limit_closing(v, c.subspan(before_closing), rest(before_closing));
+}
+
+/// By how much a four-bar closes with its crank in line with the frame: |frame − crank| −
+/// |coupler − rocker| towards the far pivot, coupler + rocker − frame − crank away from it.
+MotionModel::ClosingSlack MotionModel::closing_slack(const Full& v, bool towards) const {
+  const Vec2d coupler = point(v, kMoving2) - point(v, kMoving1);
+  const Vec2d frame = point(v, kFixed2) - point(v, kFixed1);
+  const double crank = v[kLength1], rocker = v[kLength2];
+  const double length = std::max(norm(coupler), kLeastLength);
+  const double apart = std::max(norm(frame), kLeastLength);
+  const double outer = !towards ? -1 : apart < crank ? -1 : 1;
+  const double inner = !towards ? 1 : length < rocker ? 1 : -1;
+  const double by_crank = towards ? -outer : -1, by_rocker = towards ? -inner : 1;
+  ClosingSlack slack{.links = crank + length + rocker + apart};
+  slack.value = outer * apart + by_crank * crank + inner * length + by_rocker * rocker;
+  const Vec2d by_coupler = (inner / length) * coupler, by_frame = (outer / apart) * frame;
+  slack.slopes = {-by_coupler.x, -by_coupler.y, -by_frame.x, -by_frame.y, by_crank,
+                  by_coupler.x,  by_coupler.y,  by_frame.x,  by_frame.y,  by_rocker};
+  return slack;
+}
+
+/// The rows of the form that is kept closed.
+void MotionModel::limit_closing(const Full& v, std::span<double> c,
+                                std::span<double> jacobian) const {
+  const auto n = static_cast<std::size_t>(global_count());
+  std::size_t row = 0;
+  for (const bool towards : {true, false}) {
+    if (!(towards ? form_.closes_towards : form_.closes_away)) continue;
+    const ClosingSlack slack = closing_slack(v, towards);
+    c[row] = slack.value - kKeptClosed * slack.links;
+    if (!jacobian.empty()) {
+      for (std::size_t i = 0; i < free_.size(); ++i) {
+        jacobian[row * n + i] = slack.slopes[static_cast<std::size_t>(free_[i])];
+      }
+    }
+    ++row;
+  }
 }
 
 /// The rows of the limits between the ends of the motion.

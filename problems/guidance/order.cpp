@@ -219,6 +219,7 @@ class Ordering {
     }
     OrderedMotion ordered{motion_.form, motion_.x};
     ordered.form.stations.clear();
+    ordered.form.held.clear();
     for (std::size_t j = 0; j < problem_.poses.size(); ++j) {
       ordered.form.stations.push_back(merged[model_.station_of(j)]);
     }
@@ -265,6 +266,7 @@ class Parting {
     if (angles.size() == model_.station_count()) return std::nullopt;
     OrderedMotion parted{motion_.form, {}};
     parted.form.stations = std::move(stations);
+    parted.form.held.clear();
     parted.x = MotionModel(problem_, parted.form).with_angles(motion_.x, angles);
     return parted;
   }

@@ -58,6 +58,8 @@ class MotionForms {
   std::size_t number_of(MotionForm form) {
     form.stations.clear();
     form.ends.reset();
+    form.held.clear();
+    form.closes_towards = form.closes_away = false;
     for (std::size_t i = 0; i < forms_.size(); ++i) {
       if (forms_[i].sides == form.sides && forms_[i].confined_to == form.confined_to) return i;
     }

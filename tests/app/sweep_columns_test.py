@@ -50,8 +50,10 @@ class Columns(Sweeps):
             for row, values in zip(rows, zip(*columns)):
                 self.assertEqual([exact(v) for v in row], [exact(v) for v in values])
             self.assertEqual({key: decoded(text[()]) for key, text in file["study"].items()}, stored)
-            front = [row[0] for row in self.rows(f"out/{name}.study.db", "front ORDER BY id")]
-            self.assertEqual([int(row) for row in file["front"]] if "front" in file else [], front)
+            self.assertEqual("front" in file, len(json.loads(stored["objectives"])) > 1)
+            if "front" in file:
+                front = [row[0] for row in self.rows(f"out/{name}.study.db", "front ORDER BY id")]
+                self.assertEqual([int(row) for row in file["front"]], front)
             units = {key: decoded(column.attrs["unit"]) for key, column in runs.items() if "unit" in column.attrs}
         return len(rows), units
 

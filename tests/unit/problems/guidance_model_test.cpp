@@ -2,12 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/angle.hpp"
+#include "problems/guidance/dead_station.hpp"
 #include "problems/guidance/model.hpp"
 #include "synthesis/exact/motion/guided_mechanism.hpp"
 #include "synthesis/optimise/check_derivatives.hpp"
@@ -144,6 +148,85 @@ TEST(MotionModel, HasExactDerivativesByTheEndsOfALimitedMotion) {
     rows += model.constraint_count();
   }
   EXPECT_GE(rows, 4);
+}
+
+/// Coupler √3.0, frame √5.05, crank 0.8: with this rocker the four-bar has a dead point stretched,
+/// and with a short one a folded one.
+DyadPair with_dead_points(double rocker) {
+  return {link({-0.4, 0.3}, {0.2, -0.3}, 0.8), link({1.3, 0.6}, {2.1, 0.9}, rocker)};
+}
+
+struct HeldCase {
+  double rocker, side;
+  HeldDeadPoint at;
+};
+
+std::vector<HeldCase> held_cases() {
+  std::vector<HeldCase> cases;
+  for (const double side : {1.0, -1.0}) {
+    for (const bool left : {true, false}) {
+      for (const double rocker : {1.0, 0.2}) {
+        cases.push_back({rocker, side, {.stretched = true, .left = left}});
+      }
+      cases.push_back({0.2, side, {.stretched = false, .left = left}});
+    }
+  }
+  return cases;
+}
+
+TEST(MotionModel, HoldsStationsBesideDeadPointsOfTheLinkage) {
+  for (const auto& [rocker, side, at] : held_cases()) {
+    SCOPED_TRACE(testing::Message() << rocker << ' ' << side << ' ' << at.stretched << at.left);
+    const DyadPair pair = with_dead_points(rocker);
+    const Vec2d a = pair.first.fixed, d = pair.second.fixed;
+    const Vec2d m = pair.second.in_body - pair.first.in_body;
+    const std::array<double, 10> v{-0.4, 0.3, a.x, a.y, 0.8, 1.3, 0.6, d.x, d.y, rocker};
+    const auto station = dead_station(v, at, side);
+    ASSERT_TRUE(station);
+    const Vec2d far = station->pin + station->turn * m;
+    EXPECT_NEAR(norm(station->pin - a), 0.8, 1e-14);
+    EXPECT_NEAR(norm(far - d), rocker, 1e-14);
+    const Vec2d coupler = station->pin - far, link = d - far;
+    const double angle = std::atan2(std::abs(cross(coupler, link)), dot(coupler, link));
+    EXPECT_NEAR(at.stretched ? std::numbers::pi - angle : angle, kHeldFromDead, 1e-11);
+    EXPECT_GT(side * cross(station->pin - d, far - station->pin), 0);
+    EXPECT_EQ(cross(d - a, station->pin - a) > 0, at.left);
+    EXPECT_EQ(nearest_dead_point(v, station->pin), at);
+
+    // The pin hardly moves where the linkage leaves the dead point.
+    constexpr double kStep = 1e-6;
+    const auto next = dead_station(v, at, side, kHeldFromDead + kStep);
+    ASSERT_TRUE(next);
+    const double turned = angle_of(next->turn * conj(station->turn)) / kStep;
+    EXPECT_NEAR(turned, turn_leaving(v, at, side), 1e-3 * std::abs(turned));
+  }
+}
+
+TEST(MotionModel, HasExactDerivativesWhereStationsAreHeld) {
+  for (const auto& [rocker, side, at] : held_cases()) {
+    SCOPED_TRACE(testing::Message() << rocker << ' ' << side << ' ' << at.stretched << at.left);
+    const DyadPair pair = with_dead_points(rocker);
+    MotionProblem problem = problem_of(planted().front().pair);
+    MotionForm form = form_of(problem, pair);
+    form.sides.assign(problem.poses.size(), side);
+    const auto free = MotionModel(problem, form).variables_of(pair);
+    form.stations = {0, 1, 1, 2, 3, 4};
+    form.held.resize(5);
+    form.held[1] = form.held[4] = at;
+    form.closes_towards = form.closes_away = true;
+    const MotionModel model(problem, form);
+    EXPECT_EQ(model.local_count(), 3);
+    const auto x = model.with_angles(free, std::vector{free[10], 0.0, free[13], free[14], 0.0});
+    const auto error = synthesis::check_derivatives(model, x);
+    ASSERT_TRUE(error.has_value);
+    EXPECT_LT(error.relative, 1e-6) << error.describe(model);
+
+    const auto reached = model.reached(x);
+    ASSERT_EQ(reached.size(), 6U);
+    EXPECT_EQ(reached[1].at.x, reached[2].at.x);
+    const auto angles = model.station_angles(x);
+    EXPECT_EQ(angles[1], angles[4]);
+  }
 }
 
 TEST(MotionModel, LeavesOutWhatIsGiven) {
