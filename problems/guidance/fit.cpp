@@ -7,13 +7,13 @@
 #include <numeric>
 #include <optional>
 #include <random>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "problems/guidance/found.hpp"
 #include "problems/guidance/order.hpp"
 #include "problems/guidance/problem.hpp"
+#include "problems/guidance/relaxations.hpp"
 #include "problems/guidance/starts.hpp"
 #include "problems/linkage/linkage_constraints.hpp"
 #include "synthesis/search/multi_start.hpp"
@@ -21,50 +21,6 @@
 
 namespace cognate::problems {
 namespace {
-
-/// `problem` without one kind of its limits each (class, transmission angle, places of pivots,
-/// lengths), and without all of these if they are several; empty if there are none. Where the
-/// transmission angle is limited and the class is not, also as it is: see `MotionSearch::confine`.
-std::vector<MotionProblem> relaxations(const MotionProblem& problem) {
-  const auto drop_class = [](MotionProblem& p) {
-    return std::exchange(p.constraints.required_class, std::nullopt).has_value();
-  };
-  const auto drop_transmission = [](MotionProblem& p) {
-    return std::exchange(p.constraints.transmission_angle, std::nullopt).has_value();
-  };
-  const auto drop_places = [](MotionProblem& p) {
-    const auto& [pivot_a, pivot_d] = std::tie(p.bounds.pivot_a, p.bounds.pivot_d);
-    const bool any = pivot_a || pivot_d || p.constraints.pivot_region || p.moving_bounds[0] ||
-                     p.moving_bounds[1];
-    p.bounds.pivot_a = p.bounds.pivot_d = p.constraints.pivot_region = std::nullopt;
-    p.moving_bounds = {};
-    return any;
-  };
-  const auto drop_lengths = [](MotionProblem& p) {
-    Bounds& bounds = p.bounds;
-    const bool any = bounds.crank || bounds.coupler || bounds.rocker || bounds.frame ||
-                     p.constraints.link_ratio_max;
-    bounds.crank = bounds.coupler = bounds.rocker = bounds.frame = std::nullopt;
-    p.constraints.link_ratio_max = std::nullopt;
-    return any;
-  };
-  std::vector<MotionProblem> relaxed;
-  MotionProblem free = problem;
-  const auto relax = [&](const auto& drop) {
-    MotionProblem without = problem;
-    if (drop(without)) relaxed.push_back(std::move(without));
-    drop(free);
-  };
-  relax(drop_class);
-  relax(drop_transmission);
-  relax(drop_places);
-  relax(drop_lengths);
-  if (relaxed.size() > 1) relaxed.push_back(std::move(free));
-  const auto& [required, transmission] =
-      std::tie(problem.constraints.required_class, problem.constraints.transmission_angle);
-  if (transmission && !required) relaxed.push_back(problem);
-  return relaxed;
-}
 
 using synthesis::Solution;
 using synthesis::Solver;

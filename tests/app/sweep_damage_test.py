@@ -23,11 +23,10 @@ class Damage(Sweeps):
             database.execute("PRAGMA wal_checkpoint(TRUNCATE)")
         database.close()
 
-    def change(self, *statements, file=None):
-        with sqlite3.connect(file or self.file) as database:
+    def change(self, statement):
+        with sqlite3.connect(self.file) as database:
             database.execute("PRAGMA writable_schema = ON")
-            for statement in statements:
-                self.assertGreater(database.execute(statement).rowcount, 0, statement)
+            self.assertGreater(database.execute(statement).rowcount, 0, statement)
             database.commit()
             database.execute("PRAGMA wal_checkpoint(TRUNCATE)")
         database.close()
@@ -38,6 +37,14 @@ class Damage(Sweeps):
         self.expect_refusal(done, "small.study.db", "is damaged")
         self.assertEqual(self.file.read_bytes(), before)
 
+    def expect_damaged_by(self, statement):
+        """The file is then as it was."""
+        whole = self.folder / "whole.db"
+        shutil.copy(self.file, whole)
+        self.change(statement)
+        self.expect_damaged()
+        shutil.move(whole, self.file)
+
     def test_a_changed_view_or_table_is_noticed(self):
         for old, new in {
             "ORDER BY \"output_stroke\"": "ORDER BY \"output_strokd\"",
@@ -46,20 +53,13 @@ class Damage(Sweeps):
             "\"time_ratio\"": "\"time_ratia\"",
         }.items():
             with self.subTest(old):
-                whole = self.folder / "whole.db"
-                shutil.copy(self.file, whole)
-                self.change(f"UPDATE sqlite_master SET sql = replace(sql, '{old}', '{new}') WHERE instr(sql, '{old}')")
-                self.expect_damaged()
-                shutil.move(whole, self.file)
+                self.expect_damaged_by(f"UPDATE sqlite_master SET sql = replace(sql, '{old}', '{new}') WHERE instr(sql, '{old}')")
 
     def test_words_that_are_bytes_are_noticed(self):
         for column in ("class", "status"):
             with self.subTest(column):
-                whole = self.folder / "whole.db"
-                shutil.copy(self.file, whole)
-                self.change(f"UPDATE runs SET {column} = CAST({column} AS BLOB) WHERE id = (SELECT min(id) FROM runs)")
-                self.expect_damaged()
-                shutil.move(whole, self.file)
+                first = "id = (SELECT min(id) FROM runs)"
+                self.expect_damaged_by(f"UPDATE runs SET {column} = CAST({column} AS BLOB) WHERE {first}")
 
     def test_a_changed_index_is_noticed(self):
         with sqlite3.connect(self.file) as database:
