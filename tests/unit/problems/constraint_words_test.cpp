@@ -38,16 +38,16 @@ TEST(ConstraintWords, NameKeysOfEachKind) {
   expect_words({"no_undercut.outer_wall", 1.0, 0.0},
                "radius of curvature without undercut (outer wall)", ">=", "length");
   expect_words({"no_undercut.pinion", 0.1, 0.05}, "profile shift without undercut (pinion)",
-               ">=", "module");
+               ">=", "");
   expect_words({"tip_clearance_min.wheel", 0.3, 0.25}, "tip clearance (wheel)", ">=", "module");
 }
 
 TEST(ConstraintWords, TakeTheSideThatACheckSays) {
   ConstraintCheck check{"bounds.profile_shift.pinion", 0.1, 0.5};
   check.relation = BoundSide::most;
-  expect_words(check, "profile shift (pinion)", "<=", "module");
+  expect_words(check, "profile shift (pinion)", "<=", "");
   check.relation = BoundSide::least;
-  expect_words(check, "profile shift (pinion)", ">=", "module");
+  expect_words(check, "profile shift (pinion)", ">=", "");
 }
 
 TEST(ConstraintWords, GivePeaksTheUnitOfTheirOutput) {
