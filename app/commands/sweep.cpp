@@ -206,8 +206,9 @@ ExitStatus report(const Sweep& sweep, StudyDatabase& database, StudySummary& sum
 
 /// The part of the process that stores the rows.
 ExitStatus direct(const Sweep& sweep, StudyProcesses& processes, std::string_view input) {
-  auto ready = prepare_folder(sweep.folder, {sweep.stem + ".study.db", sweep.stem + ".study.h5",
-                                             sweep.stem + ".report.html"});
+  std::vector<std::string> names{sweep.stem + ".study.db", sweep.stem + ".report.html"};
+  if (sweep.own.writes_columns) names.push_back(sweep.stem + ".study.h5");
+  auto ready = prepare_folder(sweep.folder, names);
   if (ready && sweep.own.writes_columns) ready = find_columns_module();
   const auto file = final_target(sweep.path(".study.db"));
   const auto lock = ready ? StudyLock::take(lock_file(file)) : tl::unexpected(ready.error());

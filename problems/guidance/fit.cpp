@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 #include <random>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -37,9 +38,10 @@ constexpr std::size_t kDeepened = 24, kFinished = 2;
 constexpr int kOrderingRounds = 6;
 /// How often stations of a minimum are parted.
 constexpr int kPartingRounds = 20;
-/// How often stations are held at dead points or given up, and how near to one they are.
-constexpr int kHoldingRounds = 12;
-constexpr double kNearDead = 0.02;
+/// How often the form of a minimum on the border of what closes changes, and how near to a dead
+/// point stations are that are held there.
+constexpr int kBorderRounds = 12;
+constexpr double kNearDead = 0.1;
 /// As a share of all links, by how much a linkage closes whose closing is then a constraint.
 constexpr double kNearBorder = 0.02;
 /// Starts of a round, and the fewest and most of a search where the file does not say: without and
@@ -50,25 +52,6 @@ constexpr int kFewestLimited = 400, kMostLimited = 1200, kFirstNearFound = 600;
 /// Explored minima closer than this, and refined ones, are the same up to what an unfinished
 /// refinement leaves open.
 constexpr double kSameFit = 1e-4, kSameMinimum = 1e-6;
-/// Starts are explored over at most so many poses.
-constexpr std::size_t kMostPoses = 40;
-
-/// The numbers of the poses that are looked at first: even steps, first and last among them.
-std::vector<std::size_t> in_even_steps(std::size_t count) {
-  const std::size_t kept = std::min(count, kMostPoses);
-  std::vector<std::size_t> numbers(kept);
-  for (std::size_t k = 0; k < kept; ++k) {
-    numbers[k] = kept == count ? k : k * (count - 1) / (kept - 1);
-  }
-  return numbers;
-}
-
-MotionProblem only(const MotionProblem& problem, const std::vector<std::size_t>& numbers) {
-  MotionProblem some = problem;
-  some.poses.clear();
-  for (const std::size_t number : numbers) some.poses.push_back(problem.poses[number]);
-  return some;
-}
 
 /// The stages of a search.
 class MotionSearch {
@@ -107,8 +90,11 @@ class MotionSearch {
   void confine(MotionMinimum& minimum) const;
   void part_stations(const MotionProblem& problem, Solver solver, const synthesis::Options& options,
                      MotionFound& found);
-  void hold_at_dead_points(const MotionProblem& problem, Solver solver,
-                           const synthesis::Options& options, MotionFound& found);
+  bool improve(const MotionProblem& problem, Solver solver, const synthesis::Options& options,
+               const std::optional<MotionForm>& form, std::span<const double> angles,
+               MotionFound& found);
+  void settle_on_border(const MotionProblem& problem, Solver solver,
+                        const synthesis::Options& options, MotionFound& found);
   std::optional<MotionStart> near_found(int index) const;
   void add_known(const std::vector<DyadPair>& known);
   void add_round(const MotionStarts& starts, int first, int count);
@@ -228,28 +214,44 @@ void MotionSearch::part_stations(const MotionProblem& problem, Solver solver,
   }
 }
 
+/// Whether a fit in another form, from the same dimensions and these crank angles, is better; it
+/// then takes the place of `found`.
+bool MotionSearch::improve(const MotionProblem& problem, Solver solver,
+                           const synthesis::Options& options, const std::optional<MotionForm>& form,
+                           std::span<const double> angles, MotionFound& found) {
+  if (!form || deadline_.reached()) return false;
+  MotionFound other = found;
+  other.minimum.form = *form;
+  other.minimum.solution.x =
+      MotionModel(problem, *form).with_angles(found.minimum.solution.x, angles);
+  fit(problem, solver, options, other.minimum);
+  if (other.minimum.solution.stop == synthesis::Stop::no_value) return false;
+  other.violation = design_violation(problem, other.minimum);
+  if (other.violation > 0 || !is_better(other.minimum, found.minimum)) return false;
+  found = std::move(other);
+  return true;
+}
+
 /// A minimum on the border of what closes: a descent creeps along it, since beside a dead point
-/// the body turns without the crank. Its stations there are held, and given up again where their
-/// poses would be nearer before the dead point, as long as that lowers the error.
-void MotionSearch::hold_at_dead_points(const MotionProblem& problem, Solver solver,
-                                       const synthesis::Options& options, MotionFound& found) {
-  for (int round = 0; round < kHoldingRounds && found.violation == 0; ++round) {
-    if (deadline_.reached()) return;
-    const std::vector<double>& x = found.minimum.solution.x;
+/// the body turns without the crank. Stations there are held, and given up again where their poses
+/// would be nearer before the dead point; what would open between stations is kept closed; as long
+/// as one of these lowers the error.
+void MotionSearch::settle_on_border(const MotionProblem& problem, Solver solver,
+                                    const synthesis::Options& options, MotionFound& found) {
+  for (int round = 0; round < kBorderRounds && found.violation == 0; ++round) {
+    const std::vector<double> x = found.minimum.solution.x;
     const MotionModel model(problem, found.minimum.form);
-    std::vector<double> angles = model.station_angles(x);
-    const auto pressed = model.pressed_inwards(x);
-    auto next = pressed ? model.released(x, *pressed, angles) : model.kept_closed(x, kNearBorder);
-    if (!next) next = model.with_held(x, kNearDead);
-    if (!next) return;
-    MotionFound other = found;
-    other.minimum.form = *std::move(next);
-    other.minimum.solution.x = MotionModel(problem, other.minimum.form).with_angles(x, angles);
-    fit(problem, solver, options, other.minimum);
-    if (other.minimum.solution.stop == synthesis::Stop::no_value) return;
-    other.violation = design_violation(problem, other.minimum);
-    if (other.violation > 0 || !is_better(other.minimum, found.minimum)) return;
-    found = std::move(other);
+    const std::vector<double> angles = model.station_angles(x);
+    const auto improves = [&](const std::optional<MotionForm>& form) {
+      return improve(problem, solver, options, form, angles, found);
+    };
+    if (const auto pressed = model.pressed_inwards(x)) {
+      std::vector<double> apart = angles;
+      const auto form = model.released(x, *pressed, apart);
+      if (improve(problem, solver, options, form, apart, found)) continue;
+    }
+    if (improves(model.kept_closed(x, kNearBorder))) continue;
+    if (!improves(model.with_held(x, kNearDead))) return;
   }
 }
 
@@ -340,7 +342,7 @@ void MotionSearch::refine_best(const MotionProblem& problem, std::size_t reserve
     refined.violation = design_violation(problem, refined.minimum);
     put_in_order(problem, solver, refining, refined);
     part_stations(problem, solver, refining, refined);
-    hold_at_dead_points(problem, solver, refining, refined);
+    settle_on_border(problem, solver, refining, refined);
     if (!is_worse(refined, found)) found = std::move(refined);
   });
   search_.merge(kSameMinimum);

@@ -113,8 +113,9 @@ class MotionModel final : public synthesis::Model {
   /// mechanism does not close.
   std::optional<synthesis::Pose> body_at(std::span<const double> x, double crank_angle) const;
 
-  /// The form with those stations held whose coupler and rocker are in line but for `angle`. Empty
-  /// where there are no others than before, and where limits refer to the ends of the motion.
+  /// The form with that station held, too, which is nearest to a dead point, coupler and rocker
+  /// being in line there but for `angle` at most. Empty where there is none, and where limits refer
+  /// to the ends of the motion.
   std::optional<MotionForm> with_held(std::span<const double> x, double angle) const;
   /// The form that is kept closed in line with the frame, where the crank goes through that line on
   /// its way from the first pose to the last and the linkage closes there by less than `share` of

@@ -29,19 +29,24 @@ std::optional<MotionForm> MotionModel::with_held(std::span<const double> x, doub
   const Full v = full(x);
   const Vec2d coupler = point(v, kMoving2) - point(v, kMoving1);
   const double links = norm(coupler) * v[kLength2];
-  MotionForm form = form_;
-  form.held.resize(station_count());
+  double least = links * std::sin(angle);
+  std::optional<std::pair<std::size_t, HeldDeadPoint>> nearest;
   for (std::size_t j = 0; j < problem_.poses.size(); ++j) {
     const std::size_t k = station_of(j);
-    if (form.held[k]) continue;
+    if (held(k)) continue;
     const auto at = station(v, j, x[variable_of_station_[k]]);
     if (!at) return std::nullopt;
     const Vec2d arm = at->turn * coupler, link = point(v, kFixed2) - at->pin - arm;
-    if (std::abs(cross(arm, link)) > links * std::sin(angle)) continue;
-    const HeldDeadPoint nearest = nearest_dead_point(v, at->pin);
-    if (dead_station(v, nearest, form_.sides[j])) form.held[k] = nearest;
+    const double area = std::abs(cross(arm, link));
+    const HeldDeadPoint dead = nearest_dead_point(v, at->pin);
+    if (area > least || !dead_station(v, dead, form_.sides[j])) continue;
+    least = area;
+    nearest = {k, dead};
   }
-  if (form.held == form_.held || std::ranges::none_of(form.held, is_held)) return std::nullopt;
+  if (!nearest) return std::nullopt;
+  MotionForm form = form_;
+  form.held.resize(station_count());
+  form.held[nearest->first] = nearest->second;
   return form;
 }
 

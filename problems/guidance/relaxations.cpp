@@ -1,5 +1,6 @@
 #include "problems/guidance/relaxations.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -45,6 +46,23 @@ std::vector<MotionProblem> relaxations(const MotionProblem& problem) {
       std::tie(problem.constraints.required_class, problem.constraints.transmission_angle);
   if (transmission && !required) relaxed.push_back(problem);
   return relaxed;
+}
+
+std::vector<std::size_t> in_even_steps(std::size_t count) {
+  constexpr std::size_t kMostPoses = 40;
+  const std::size_t kept = std::min(count, kMostPoses);
+  std::vector<std::size_t> numbers(kept);
+  for (std::size_t k = 0; k < kept; ++k) {
+    numbers[k] = kept == count ? k : k * (count - 1) / (kept - 1);
+  }
+  return numbers;
+}
+
+MotionProblem only(const MotionProblem& problem, const std::vector<std::size_t>& numbers) {
+  MotionProblem some = problem;
+  some.poses.clear();
+  for (const std::size_t number : numbers) some.poses.push_back(problem.poses[number]);
+  return some;
 }
 
 }  // namespace cognate::problems

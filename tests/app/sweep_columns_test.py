@@ -117,6 +117,8 @@ class Columns(Sweeps):
         (self.folder / "out/study.study.h5").mkdir(parents=True)
         self.expect_refusal(self.sweep(SMALL), "study.study.h5", "Is a directory")
         self.assertFalse((self.folder / "out/study.study.db").exists())
+        done = self.run_program("sweep", "study.toml", "--out", "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_bad_formats_are_refused(self):
         for word in ("csv", "", "HDF5"):

@@ -229,6 +229,35 @@ TEST(MotionModel, HasExactDerivativesWhereStationsAreHeld) {
   }
 }
 
+TEST(MotionModel, IsKeptClosedWhereTheLinkageClosesInLineWithTheFrame) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> place(-2, 2), length(0.3, 2.5);
+  const auto any = [&] { return Vec2d{place(random), place(random)}; };
+  int closed = 0, open = 0;
+  for (int number = 0; number < 300; ++number) {
+    const DyadPair pair{link(any(), any(), length(random)), link(any(), any(), length(random))};
+    const MotionProblem problem = problem_of(planted().front().pair);
+    for (const bool towards : {true, false}) {
+      MotionForm form = form_of(problem, pair);
+      (towards ? form.closes_towards : form.closes_away) = true;
+      const MotionModel model(problem, form);
+      const auto x = model.variables_of(pair);
+      std::vector<double> c(static_cast<std::size_t>(model.constraint_count()));
+      model.constraints(x, c, {});
+      const Vec2d frame = pair.second.fixed - pair.first.fixed;
+      const double line = angle_of(towards ? frame : -frame);
+      const auto closes = [&](double angle) { return model.body_at(x, angle).has_value(); };
+      bool somewhere = false;
+      for (int k = 0; k < 720; ++k) somewhere = somewhere || closes(std::numbers::pi * k / 360);
+      if (!somewhere) continue;
+      EXPECT_EQ(c.back() > 0, closes(line)) << number << towards;
+      ++(c.back() > 0 ? closed : open);
+    }
+  }
+  EXPECT_GT(closed, 50);
+  EXPECT_GT(open, 50);
+}
+
 TEST(MotionModel, LeavesOutWhatIsGiven) {
   const DyadPair pair = planted().front().pair;
   const auto all = variants(pair);
