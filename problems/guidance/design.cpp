@@ -213,7 +213,7 @@ void add_quantities(const DyadPair& pair, const GuidedMechanism& guided, double 
                     std::vector<Quantity>& quantities) {
   const auto kinds = [](const GuidingDyad& dyad) { return std::string(to_string(dyad.kind)); };
   quantities.push_back({"dyads", kinds(pair.first) + "+" + kinds(pair.second)});
-  quantities.push_back({"angle_error_max_deg", degrees(turned)});
+  quantities.push_back(quantity(kAngleErrorKey, turned));
   quantities.push_back(quantity(kBodyAngleKey, std::remainder(guided.body_in_link.angle, kTurn)));
 }
 

@@ -14,6 +14,8 @@ namespace cognate::problems {
 
 /// Of the body's first axis in its link's axes.
 inline constexpr AngleKey kBodyAngleKey{"body_angle_in_link_deg"};
+/// The greatest over all poses.
+inline constexpr AngleKey kAngleErrorKey{"angle_error_max_deg"};
 
 /// Two dyads of a problem; the first is driven where it can be.
 struct DyadPair {

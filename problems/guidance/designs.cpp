@@ -94,6 +94,10 @@ std::vector<Design> MotionDesigns::take() {
   return designs;
 }
 
+double error_of(const MotionProblem& /*problem*/, const Design& design) {
+  return design.error.rms;
+}
+
 std::optional<Design> verified_design(const MotionProblem& problem, const HeldBody& body,
                                       const std::string& origin) {
   auto design = nearest_design(problem, body.pair, body.reached, origin);

@@ -35,11 +35,6 @@ ErrorMeasure error_measure(const MotionProblem& /*problem*/) {
   return ErrorMeasure::rms_length;
 }
 
-/// That error of a design, a length.
-double error_of(const MotionProblem& /*problem*/, const Design& design) {
-  return design.error.rms;
-}
-
 /// Errors up to this are rounding: the target is met.
 double met_error(const MotionProblem& problem) {
   return kMetError * MotionScale(problem).size();

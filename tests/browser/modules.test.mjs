@@ -18,7 +18,7 @@ const root = fileURLToPath(new URL("../../", import.meta.url));
 const folder = path.join(root, "app/report/page");
 
 // What the browser and the plotting libraries give.
-const GLOBALS = new Set(`AbortController Array Blob Boolean DecompressionStream Error Event Image MediaRecorder Promise XMLSerializer createImageBitmap performance Float32Array Float64Array Infinity Int32Array Intl JSON Map Math
+const GLOBALS = new Set(`AbortController Array Blob Boolean DOMParser DecompressionStream Error Event FileReader Image MediaRecorder Promise XMLSerializer createImageBitmap performance Float32Array Float64Array Infinity Int32Array Intl JSON Map Math
   MutationObserver NaN Number Object RegExp ResizeObserver Response SVGElement Set String TextDecoder TextEncoder URL URLSearchParams Uint8Array WebAssembly Worker
   addEventListener atob clearTimeout d3 decodeURIComponent devicePixelRatio document getComputedStyle getSelection history localStorage
   encodeURIComponent fetch location matchMedia navigator open parseFloat print requestAnimationFrame self sessionStorage setInterval setTimeout uPlot undefined`.split(/\s+/));

@@ -18,9 +18,13 @@ if (!folder) {
 // A drop, drawn by hand on the page of `cognate sketch`.
 const DROP = Array.from({ length: 61 }, (_, i) => (i * Math.PI) / 30).map((t) => [0.44 + 0.1 * Math.sin(t), 0.5 - 0.17 * Math.cos(t) + 0.04 * Math.cos(2 * t)]);
 
-// `draw`: a stroke, in shares of the sheet. `click`: a choice about the picture. `press`: the extra layers of the picture. `drive`: where the mechanism stands, in degrees or length. `show`: how far down the picture goes.
+// Poses likewise: where the body is, and whereto it points.
+const POSES = [[[0.22, 0.62], [0.3, 0.62]], [[0.33, 0.42], [0.4, 0.38]], [[0.52, 0.3], [0.56, 0.22]], [[0.7, 0.36], [0.7, 0.26]]];
+
+// `draw`: strokes, in shares of the sheet, after a click on `begin`. `click`: a choice about the picture. `press`: the extra layers of the picture. `drive`: where the mechanism stands, in degrees or length. `show`: how far down the picture goes.
 const PICTURES = [
-  { name: "sketch", command: "sketch", file: "sketch", draw: DROP, drive: 150, show: "#stage" },
+  { name: "sketch", command: "sketch", file: "sketch", draw: [DROP], drive: 150, show: "#stage" },
+  { name: "sketch-poses", command: "sketch", file: "sketch", begin: "#of-poses", draw: POSES, drive: 80, show: "#stage" },
   { name: "report", command: "solve", file: "path/ten-point-ellipse" },
   { name: "report-dark", command: "solve", file: "path/ten-point-ellipse", scheme: "dark" },
   { name: "report-zh", command: "solve", file: "path/ten-point-ellipse", locale: "zh-CN" },
@@ -55,15 +59,17 @@ async function showForces(page) {
   if (await forces.count() && await forces.isVisible()) await forces.click();
 }
 
-async function drawStroke(page, stroke) {
+async function drawStrokes(page, strokes) {
   const sheet = await page.locator("#picture").boundingBox();
   const at = ([x, y]) => [sheet.x + x * sheet.width, sheet.y + y * sheet.height];
-  await page.mouse.move(...at(stroke[0]));
-  await page.mouse.down();
-  for (const point of stroke) await page.mouse.move(...at(point));
-  await page.mouse.up();
-  await page.waitForFunction(() => document.querySelectorAll(".design-card").length === 3);
-  await page.waitForTimeout(4000);  // until the longer search has ended, too
+  for (const stroke of strokes) {
+    await page.mouse.move(...at(stroke[0]));
+    await page.mouse.down();
+    for (const point of stroke) await page.mouse.move(...at(point));
+    await page.mouse.up();
+  }
+  // Until the longest search has ended.
+  await page.waitForFunction(() => document.querySelectorAll(".design-card").length === 3 && /\.$/.test(document.getElementById("state").textContent));
 }
 
 // Writes the page of a picture into `folder`.
@@ -101,7 +107,8 @@ for (const picture of PICTURES.filter(({ name }) => !wanted.length || wanted.inc
   const { name, locale, scheme = "light", drive = 60 } = picture;
   const { page, faults, close } = await open(browser, writePage(picture, scratch), { scheme, locale, motion: "reduce" });
   await page.setViewportSize(SIZE);
-  if (picture.draw) await drawStroke(page, picture.draw);
+  if (picture.begin) await page.locator(picture.begin).click();
+  if (picture.draw) await drawStrokes(page, picture.draw);
   await setDrive(page, drive);
   await showForces(page);
   if (picture.click) await page.locator(picture.click).click();

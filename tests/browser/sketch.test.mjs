@@ -1,105 +1,12 @@
-// The page of `cognate sketch`: a curve is drawn, and linkages trace it. COGNATE: the program, which also answers in
-// the place of the search where the build had no compiler for WebAssembly.
+// The page of `cognate sketch`: a curve is drawn, and linkages trace it.
 import assert from "node:assert/strict";
-import { execFile, execFileSync } from "node:child_process";
 import fs from "node:fs";
-import os from "node:os";
-import path from "node:path";
-import { after, before } from "node:test";
-import { promisify } from "node:util";
-import { gzipSync } from "node:zlib";
-import { problemToml } from "../../app/report/page/toml.js";
-import { assertFits, distance, inTurn as test, launch, moves, open, some } from "./browser.mjs";
-
-let browser, folder, file, hasKernel;
-before(async () => {
-  browser = await launch();
-  folder = fs.mkdtempSync(path.join(os.tmpdir(), "cognate-sketch-"));
-  file = path.join(folder, "sketch.html");
-  execFileSync(process.env.COGNATE, ["sketch", "--out", file]);
-  const text = fs.readFileSync(file, "utf8");
-  hasKernel = !text.includes('id="kernel"></script>');
-  // A module without anything in it: the page has a search, and the program is it.
-  const empty = gzipSync(Buffer.from([0, 97, 115, 109, 1, 0, 0, 0])).toString("base64");
-  fs.writeFileSync(path.join(folder, "answered.html"), hasKernel ? text : text.replace('id="kernel">', `id="kernel">${empty}`));
-});
-after(async () => { await browser?.close(); fs.rmSync(folder, { recursive: true }); });
-
-let files = 0;
-async function answered(command, text, ...options) {
-  const name = path.join(folder, `${++files}.toml`);
-  fs.writeFileSync(name, text);
-  const run = await promisify(execFile)(process.env.COGNATE, [command, "--json", name, ...options], { maxBuffer: 1 << 28 }).catch((error) => error);
-  return JSON.parse(run.stdout);
-}
-
-// What the search answers, by the program.
-async function programAnswer(problem) {
-  const result = await answered("solve", problemToml(problem));
-  return { status: result.status, designs: result.designs.map(({ mechanism, crank_deg: cranks, error, metrics }) => ({ mechanism, crank_deg: cranks, rms: error.rms, max: error.max,
-    class: metrics.class, transmission_acute_min_deg: metrics.transmission_angle_deg.acute_min })) };
-}
-
-async function prepare(page) {
-  if (hasKernel) return;
-  await page.exposeFunction("programAnswer", programAnswer);
-  await page.addInitScript(() => {
-    window.Worker = class {
-      terminate() { this.ended = true; }
-      postMessage({ id, problem }) {
-        if (problem === undefined) return;
-        this.queue = (this.queue ?? Promise.resolve()).then(async () => {
-          if (this.ended) return;
-          const answer = await window.programAnswer(problem);
-          if (!this.ended) this.onmessage({ data: { id, answer } });
-        });
-      }
-    };
-  });
-}
-
-async function visit(options, steps) {
-  const { page, faults, close } = await open(browser, path.join(folder, "answered.html"), { motion: "reduce", prepare, ...options });
-  await steps(page);
-  assert.deepEqual(faults, []);
-  await close();
-}
+import { assertFits, distance, inTurn as test, moves, open, some } from "./browser.mjs";
+import { addressOf, answered, browser, couplerPose, draw, facts, file, hasKernel, settled, targets, visit } from "./sketching.mjs";
 
 const ellipse = (t) => [0.5 + 0.16 * Math.cos(t), 0.45 - 0.2 * Math.sin(t)];
 
-// Draws with the mouse through places given by shares of the picture.
-async function draw(page, at, [from, to] = [0, 2 * Math.PI]) {
-  const box = await page.locator("#sheet").boundingBox();
-  const place = (t) => { const [x, y] = at(t); return [box.x + x * box.width, box.y + y * box.height]; };
-  await page.mouse.move(...place(from));
-  await page.mouse.down();
-  for (let i = 1; i <= 60; ++i) await page.mouse.move(...place(from + ((to - from) * i) / 60));
-  await page.mouse.up();
-}
-
-const settled = (page) => page.waitForFunction(() => /designs? after [^;]*\.$/.test(document.getElementById("state").textContent));
-const facts = (page, name) => page.locator(`[data-fact="${name}"]`).evaluateAll((all) => all.map((one) => JSON.parse(one.dataset.value)));
-const targets = (page) => page.locator(".target-handle").count();
-
-// The numbers of the address: its points, and its design.
-function addressOf(page) {
-  const parts = Object.fromEntries(page.url().split("#")[1].split("&").map((part) => part.split("=")));
-  const [numbers, assembly] = (parts.d ?? "").split(";");
-  const [ax, ay, dx, dy, crank, coupler, rocker, u, v, rms, max] = numbers.split(",").map(Number);
-  return { points: parts.p.split(";").map((p) => p.split(",").map(Number)), a: [ax, ay], d: [dx, dy], crank, coupler, rocker, u, v, rms, max, side: assembly === "crossed" ? -1 : 1 };
-}
-
-// The coupler point by the intersection of two circles, as in a textbook.
-function couplerPoint({ a, d, crank, coupler, rocker, u, v, side }, angle) {
-  const b = [a[0] + crank * Math.cos(angle), a[1] + crank * Math.sin(angle)];
-  const base = distance(b, d), along = (coupler ** 2 - rocker ** 2 + base ** 2) / (2 * base);
-  const height = Math.sqrt(coupler ** 2 - along ** 2);
-  if (Number.isNaN(height)) return null;
-  const e = [(d[0] - b[0]) / base, (d[1] - b[1]) / base];
-  const c = [b[0] + along * e[0] - side * height * e[1], b[1] + along * e[1] + side * height * e[0]];
-  const f = [(c[0] - b[0]) / coupler, (c[1] - b[1]) / coupler];
-  return [b[0] + u * f[0] - v * f[1], b[1] + u * f[1] + v * f[0]];
-}
+const FINE = 100000;
 
 function distanceToChord(p, q, r) {
   const way = [r[0] - q[0], r[1] - q[1]];
@@ -109,7 +16,7 @@ function distanceToChord(p, q, r) {
 
 // Of each point the distance to the curve of the design, over a fine turn.
 function misses(design) {
-  const curve = Array.from({ length: 5001 }, (_, i) => couplerPoint(design, (2 * Math.PI * i) / 5000));
+  const curve = Array.from({ length: FINE + 1 }, (_, i) => couplerPose(design, (2 * Math.PI * i) / FINE)?.at);
   const chords = curve.slice(1).map((r, i) => [curve[i], r]).filter(([q, r]) => q && r);
   return design.points.map((p) => Math.min(...chords.map(([q, r]) => distanceToChord(p, q, r))));
 }
@@ -257,6 +164,56 @@ for (const options of some([{ size: "phone", scheme: "dark" }, { size: "phone", 
     if (options.locale) assert.doesNotMatch(await page.locator("main").innerText(), /[A-Za-z]{5}/);
   }));
 }
+
+// A file that is chosen.
+const bring = (page, name, content) => page.locator("#bring-file").setInputFiles({ name, mimeType: name.endsWith(".svg") ? "image/svg+xml" : "image/png", buffer: Buffer.from(content) });
+
+test("the longest line of an SVG file becomes the curve, with its transforms and nothing else of it", () => visit({}, async (page) => {
+  // An ellipse of 2 to 1 that is turned upright, beside a shorter line, a shape that is not drawn, and a script.
+  await bring(page, "mark.svg", `<svg xmlns="http://www.w3.org/2000/svg" onload="window.bad = 1"><defs><circle r="900"/></defs><script>window.bad = 1</script>
+    <rect width="4000" height="4000"/><path d="M0 0L5 5"/><g transform="translate(300 -20) rotate(90)"><ellipse cx="7" cy="9" rx="80" ry="40" transform="scale(2)" onclick="bad()"/></g></svg>`);
+  await settled(page);
+  const { points } = addressOf(page);
+  const far = points.map(([x, y]) => Math.hypot(2 * x, y));
+  assert.ok(Math.max(...far) / Math.min(...far) < 1.02, `${far}`);
+  assert.ok(Math.abs(Math.max(...far) - 0.35 * 84) < 0.6, `${Math.max(...far)}`);
+  assert.equal(await page.locator("#closed").getAttribute("aria-pressed"), "true");
+  assert.equal(await page.evaluate(() => window.bad), undefined);
+  // Of a path its first stroke; y counts downwards in such files.
+  const before = page.url();
+  await bring(page, "wave.svg", '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0C0 0 0 0 100 50L200 50m300 300L900 900"/></svg>');
+  await page.waitForFunction((url) => location.href !== url, before);
+  await settled(page);
+  const wave = addressOf(page).points;
+  assert.ok(wave[0][1] > wave.at(-1)[1] && wave.at(-1)[0] > wave[0][0]);
+  assert.ok(Math.abs(wave.at(-1)[0] - wave[0][0] - 0.7 * 120) < 0.1);
+  for (const content of ["<svg", "", '<svg xmlns="http://www.w3.org/2000/svg"><text>A</text></svg>', '<svg xmlns="http://www.w3.org/2000/svg"><path/><circle r="1e400"/></svg>']) {
+    await bring(page, "none.svg", content);
+    await page.waitForFunction(() => document.getElementById("state").textContent.startsWith("The file has no path"));
+    assert.deepEqual(addressOf(page).points, wave);
+    await page.evaluate(() => { document.getElementById("state").textContent = ""; });
+  }
+}));
+
+test("a picture lies under the drawing until it is removed", () => visit({}, async (page) => {
+  await bring(page, "photo.png", await page.evaluate(() => {
+    const canvas = Object.assign(document.createElement("canvas"), { width: 40, height: 20 });
+    return canvas.toDataURL().split(",")[1];
+  }).then((text) => Buffer.from(text, "base64")));
+  const box = async () => page.locator(".underneath").evaluate((one) => ["width", "height"].map((name) => Number(one.getAttribute(name))));
+  await page.locator(".underneath").waitFor();
+  const [width, height] = await box();
+  assert.ok(Math.abs(width - 2 * height) < 0.1);
+  await page.locator("#picture-width").fill("42");
+  assert.ok(Math.abs((await box())[0] / width - 42 / 84) < 0.01);
+  await draw(page, ellipse);
+  await settled(page);
+  assert.equal(await page.locator(".underneath").count(), 1);
+  await page.locator("#picture-away").click();
+  assert.equal(await page.locator(".underneath").count(), 0);
+  await bring(page, "none.png", "no picture");
+  await page.waitForFunction(() => document.getElementById("state").textContent.startsWith("The file is not a picture"));
+}));
 
 test("a finger draws", () => visit({ size: "phone" }, async (page) => {
   const box = await page.locator("#sheet").boundingBox();

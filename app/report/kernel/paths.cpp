@@ -1,15 +1,11 @@
-/// @file The search for paths in a page: a problem as a file would have it is read, solved by the
-/// program's own reader and search, and comes back as the designs found.
+/// @file The search for paths in a page.
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "analysis/linkage/mobility.hpp"
 #include "app/report/kernel/answer.hpp"
-#include "app/report/kernel/document.hpp"
-#include "app/report/kernel/numbers.hpp"
-#include "problems/basics/degrees.hpp"
+#include "app/report/kernel/sketched.hpp"
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_linkage.hpp"
 #include "problems/linkage/verify.hpp"
@@ -24,9 +20,9 @@ namespace cognate::page {
 namespace {
 
 using json = nlohmann::ordered_json;
+using problems::Design;
 using problems::PathProblem;
 
-constexpr std::size_t kMostPoints = 200;
 /// As far as a picture shows: steps of each start that goes on, and when two are one design.
 constexpr double kTolerance = 1e-10, kSame = 1e-4;
 constexpr int kIterations = 100;
@@ -35,8 +31,8 @@ constexpr std::size_t kMore = 9;
 
 /// Points to be met in any timing, with what the file format has for limits; or what is wrong with
 /// them.
-PathProblem problem_of(const problems::reading::Table& document,
-                       problems::reading::FaultList& faults) {
+Sketched<PathProblem> asked_path(const problems::reading::Table& document,
+                                 problems::reading::FaultList& faults) {
   using namespace problems::reading;
   TableReader reader(document, faults);
   reader.know({"kind"});
@@ -44,8 +40,9 @@ PathProblem problem_of(const problems::reading::Table& document,
   auto& [target, mechanism, bounds, constraints, solve] = tables;
   PathProblem problem;
   target.know({"timing", "order"});
+  if (!has_target(target, "points")) return {};
   const auto points =
-      target.twos("points", kNumber, "[x, y]", {.min = 3, .max = kMostPoints, .of = "points"});
+      target.twos("points", kNumber, "[x, y]", {.min = 3, .max = kMostTargets, .of = "points"});
   for (const Two& point : points.value_or(std::vector<Two>{})) {
     problem.points.push_back({point[0], point[1]});
   }
@@ -60,44 +57,24 @@ PathProblem problem_of(const problems::reading::Table& document,
   read_pivot_region(constraints, problem.given, problem.constraints);
   problem.solve = read_solve(solve, problem.constraints, false);
   tables.finish();
+  auto known = read_known(reader, problem.points.size());
   reader.finish();
-  return problem;
+  return {std::move(problem), std::move(known)};
 }
 
-json pair(const Vec2d& point) {
-  return json::array({point.x, point.y});
-}
-
-json mechanism_of(const FourBar& linkage) {
-  return {{"type", "four-bar"},
-          {"fixed_pivots", {pair(linkage.pivot_a), pair(linkage.pivot_d)}},
-          {"crank", linkage.crank},
-          {"coupler", linkage.coupler},
-          {"rocker", linkage.rocker},
-          {"coupler_point", pair(*linkage.coupler_point)},
-          {"assembly", linkage.assembly == Assembly::open ? "open" : "crossed"}};
-}
-
-json design_of(const PathProblem& problem, const FourBar& linkage,
-               const std::vector<double>& crank_angles) {
-  const auto error = problems::path_error(linkage, problem.points, crank_angles);
-  const auto metrics = problems::design_metrics(linkage, crank_angles, {problem.order, false});
-  json angles = json::array();
-  for (const double angle : crank_angles) angles.push_back(problems::degrees(angle));
-  return {{"mechanism", mechanism_of(linkage)},
-          {"crank_deg", std::move(angles)},
-          {"rms", error.rms},
-          {"max", error.max},
-          {"class", metrics.mobility ? problems::to_string(*metrics.mobility) : ""},
-          {"transmission_acute_min_deg", problems::degrees(metrics.transmission_acute_min)}};
+Design design_of(const PathProblem& problem, const FourBar& linkage,
+                 std::vector<double> crank_angles) {
+  Design design;
+  design.mechanism.description = linkage;
+  design.error = problems::path_error(linkage, problem.points, crank_angles);
+  design.metrics = problems::design_metrics(linkage, crank_angles, {problem.order, false});
+  design.crank_angles = std::move(crank_angles);
+  return design;
 }
 
 /// Minima of a scaled problem near the best starts, as many as are requested and some more, which
 /// may prove to be the same.
-std::vector<problems::PathFound> minima(const PathProblem& scaled, std::uint64_t seed) {
-  problems::Run run;
-  run.seed = seed;
-  run.threads = 1;
+std::vector<problems::PathFound> minima(const PathProblem& scaled, problems::Run run) {
   const problems::Deadline none(run);
   const std::size_t kept = kMore + static_cast<std::size_t>(scaled.solve.designs);
   problems::Work work;
@@ -117,18 +94,21 @@ std::vector<problems::PathFound> minima(const PathProblem& scaled, std::uint64_t
   return std::move(search.all());
 }
 
-json solved(const PathProblem& problem, std::uint64_t seed) {
+json solved(const PathProblem& problem, problems::Run run) {
   const problems::PathScale scale(problem);
   const PathProblem scaled = scale.into(problem);
-  const auto all = minima(scaled, seed);
+  for (Design& design : run.known) {
+    design.mechanism.description = scale.into(four_bar(design));
+  }
+  const auto all = minima(scaled, std::move(run));
   json designs = json::array();
   for (const problems::PathFound& found : all) {
     const problems::PathMinimum& minimum = found.minimum;
     if (found.strays || minimum.solution.violation > problems::kPathFeasibility) continue;
     if (designs.size() == static_cast<std::size_t>(problem.solve.designs)) break;
     const auto model = problems::model_of(scaled, minimum);
-    designs.push_back(design_of(problem, scale.out_of(model.linkage(minimum.solution.x)),
-                                model.crank_angles(minimum.solution.x)));
+    designs.push_back(sketched(design_of(problem, scale.out_of(model.linkage(minimum.solution.x)),
+                                         model.crank_angles(minimum.solution.x))));
   }
   const char* status = !designs.empty() ? "solved" : all.empty() ? "no solution" : "infeasible";
   return {{"status", status}, {"designs", std::move(designs)}};
@@ -136,14 +116,11 @@ json solved(const PathProblem& problem, std::uint64_t seed) {
 
 }  // namespace
 
-/// Solves the problem in the text and the block of numbers. The answer is `status` and `designs`,
-/// or `faults`, a list of sentences.
-COGNATE_EXPORT(sketch) int sketch_text(int seed) {
+json sketched_paths(const SketchQuestion& question) {
   problems::reading::FaultList faults;
-  const auto document = document_of(question());
-  const PathProblem problem = problem_of(document, faults);
-  if (!faults.empty()) return answer_with(faults_json(std::move(faults)));
-  return answer_with(solved(problem, static_cast<std::uint64_t>(seed)));
+  auto [problem, known] = asked_path(question.document, faults);
+  if (!faults.empty()) return faults_json(std::move(faults));
+  return solved(problem, run_of(question, std::move(known)));
 }
 
 }  // namespace cognate::page

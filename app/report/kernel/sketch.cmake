@@ -1,4 +1,4 @@
-# The search for paths, for the page that one draws on.
+# The searches for paths and guided bodies, for the page that one draws on.
 set(COGNATE_SKETCH_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/sketch_kernel.base64")
 cognate_page_kernel(sketch_kernel
   analysis/batch/instruction_set.cpp
@@ -9,17 +9,51 @@ cognate_page_kernel(sketch_kernel
   analysis/linkage/mobility.cpp
   analysis/linkage/motion.cpp
   analysis/linkage/motion_within.cpp
+  analysis/linkage/double_slider.cpp
+  analysis/linkage/guide_bar.cpp
+  analysis/linkage/slider_crank.cpp
+  analysis/mechanism/inverse_dynamics.cpp
+  analysis/mechanism/joint_balance.cpp
+  analysis/mechanism/kinematics.cpp
   app/report/kernel/answer.cpp
   app/report/kernel/document.cpp
   app/report/kernel/format.cpp
   app/report/kernel/whole_numbers.cpp
+  app/report/kernel/motions.cpp
+  app/report/kernel/motions_left_out.cpp
   app/report/kernel/paths.cpp
   app/report/kernel/search_left_out.cpp
+  app/report/kernel/sketch.cpp
+  app/report/kernel/sketched.cpp
+  problems/guidance/closure.cpp
+  problems/guidance/dead_station.cpp
+  problems/guidance/design.cpp
+  problems/guidance/designs.cpp
+  problems/guidance/dyad_choices.cpp
+  problems/guidance/dyads.cpp
+  problems/guidance/fit.cpp
+  problems/guidance/found.cpp
+  problems/guidance/free_dyads.cpp
+  problems/guidance/model.cpp
+  problems/guidance/model_held.cpp
+  problems/guidance/model_limits.cpp
+  problems/guidance/model_variables.cpp
+  problems/guidance/names.cpp
+  problems/guidance/order.cpp
+  problems/guidance/placed_motion.cpp
+  problems/guidance/relaxations.cpp
+  problems/guidance/scale.cpp
+  problems/guidance/starts.cpp
   problems/linkage/class_feasibility.cpp
   problems/linkage/constraint_checks.cpp
   problems/linkage/cycle/cycle_limits.cpp
   problems/linkage/cycle/cycle_energy.cpp
+  problems/linkage/cycle/cycle_energy_metrics.cpp
+  problems/linkage/cycle/cycle_metrics.cpp
+  problems/linkage/cycle/cycle_torque_metrics.cpp
+  problems/linkage/cycle/linkage_dynamics.cpp
   problems/linkage/driven_range.cpp
+  problems/linkage/error_limit.cpp
   problems/linkage/link_ratios.cpp
   problems/linkage/linkage_constraints.cpp
   problems/linkage/cycle/mean_torque.cpp
@@ -50,11 +84,26 @@ cognate_page_kernel(sketch_kernel
   problems/path/search.cpp
   problems/path/start_timings.cpp
   problems/path/starts.cpp
+  problems/search/solver_origin.cpp
   problems/toml/fault_list.cpp
   problems/toml/nearest.cpp
   problems/toml/table_reader.cpp
   problems/toml/table_reader_arrays.cpp
   problems/toml/table_writer.cpp
+  synthesis/exact/binary_form.cpp
+  synthesis/exact/motion/degenerate_poses.cpp
+  synthesis/exact/motion/dyad.cpp
+  synthesis/exact/motion/five_poses.cpp
+  synthesis/exact/motion/guidance_forms.cpp
+  synthesis/exact/motion/guided_mechanism.cpp
+  synthesis/exact/motion/null_space_pivots.cpp
+  synthesis/exact/motion/pose.cpp
+  synthesis/exact/motion/relative_motion.cpp
+  synthesis/exact/motion/seen_from_body.cpp
+  synthesis/exact/motion/three_poses.cpp
+  synthesis/fit/algebraic_dyads.cpp
+  synthesis/fit/body_motion.cpp
+  synthesis/fit/circle.cpp
   synthesis/fit/dyad_fit.cpp
   synthesis/lanes/path_fit.cpp
   synthesis/lanes/path_fit_kernel.cpp

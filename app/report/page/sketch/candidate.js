@@ -6,10 +6,12 @@ import { boxOf, diagonal } from "../view.js";
 
 const SAMPLES = 180;
 const INSIDE = 0.05;   // degrees within the limits of a crank that does not turn fully
-const ALIKE = 0.05;    // of the size of the drawing
+// Of the size of the drawing: two designs are alike; two of the many that meet all targets; smaller errors are rounding.
+const ALIKE = 0.05, ALIKE_IF_MET = 0.3, MET = 1e-9;
 
 export class Candidate {
-  // `entry`: mechanism, crank_deg at the points, rms, max, class, transmission_acute_min_deg.
+  // `entry`: mechanism, crank_deg at the targets, rms, max, class, transmission_acute_min_deg; where it guides a body also
+  // body_angle_deg, in the coupler, and angle_max_deg, the greatest error.
   constructor(entry) {
     const { mechanism, crank_deg: cranks } = entry;
     const linkage = new RowLinkage({ ...mechanism, start: cranks[0] * RADIANS });
@@ -28,6 +30,12 @@ export class Candidate {
     return this.linkage.pose(Math.min(turn, TURN - turn));
   }
 
+  // Of a guided body at a pose, in degrees; null where there is none.
+  bodyAngle({ b, c }) {
+    const { body_angle_deg: inCoupler } = this.entry;
+    return inCoupler === undefined ? null : Math.atan2(c[1] - b[1], c[0] - b[0]) / RADIANS + inCoupler;
+  }
+
   // The crank's angles over the whole motion, in degrees.
   get range() {
     const { fullTurn, from, to, closure } = this.linkage;
@@ -39,8 +47,15 @@ export class Candidate {
   // Whether both are the same linkage to the eye, of a drawing of `size`.
   isLike(other, size) {
     const own = this.dimensions;
-    return other.dimensions.every((x, i) => Math.abs(x - own[i]) <= ALIKE * size);
+    const areMet = [this, other].every(({ entry }) => withoutNoise(entry.rms, size) === 0);
+    return other.dimensions.every((x, i) => Math.abs(x - own[i]) <= (areMet ? ALIKE_IF_MET : ALIKE) * size);
   }
+}
+
+// The number of the one out of `candidates` that is nearest to `one`.
+export function nearestTo(candidates, one) {
+  const far = candidates.map(({ dimensions }) => Math.max(...dimensions.map((x, i) => Math.abs(x - one.dimensions[i]))));
+  return far.indexOf(Math.min(...far));
 }
 
 // +1 where the crank turns to the left from point to point on the whole.
@@ -49,11 +64,17 @@ function senseOf(cranks) {
   return cranks.reduce((sum, angle, i) => sum + (i ? step(cranks[i - 1], angle) : 0), 0) < 0 ? -1 : 1;
 }
 
-// The best `count` that differ to the eye, best first; `held` is always among them.
+// An error of a drawing of `size`; 0 where it is rounding.
+export const withoutNoise = (error, size) => (error < MET * size ? 0 : error);
+
+// The best `count` that differ to the eye, best first; `held` is always among them. Of those that meet all targets that is
+// the one with the greatest transmission angle.
 export function differing(candidates, count, size, held) {
+  const error = ({ entry: { rms } }) => withoutNoise(rms, size);
+  const order = (a, b) => error(a) - error(b) || b.entry.transmission_acute_min_deg - a.entry.transmission_acute_min_deg;
   const chosen = held ? [held] : [];
-  for (const one of [...candidates].sort((a, b) => a.entry.rms - b.entry.rms)) {
-    if (chosen.length < count && one.poses.length > 1 && !chosen.some((other) => one.isLike(other, size))) chosen.push(one);
+  for (const one of [...candidates].sort(order)) {
+    if (chosen.length < count && one.poses.length > 1 && error(one) < size && !chosen.some((other) => one.isLike(other, size))) chosen.push(one);
   }
-  return chosen.sort((a, b) => a.entry.rms - b.entry.rms);
+  return chosen.sort(order);
 }

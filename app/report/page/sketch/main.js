@@ -1,4 +1,4 @@
-// The page of a sketch: a curve that a hand draws, and the linkages that trace it.
+// The page of a sketch: a curve or poses that a hand draws, and the linkages that trace it or guide a body through them.
 
 import { followTheme } from "../appearance.js";
 import { Controls } from "../controls.js";
@@ -12,19 +12,21 @@ import { filmed, Saves } from "../saves.js";
 import { say, sentenceOf, term } from "../words.js";
 import { Zoom } from "../zoom.js";
 import { addressOf, readAddress } from "./address.js";
-import { Candidate, differing } from "./candidate.js";
+import { Bringings } from "./bringings.js";
+import { Candidate, differing, nearestTo, withoutNoise } from "./candidate.js";
 import { Cards } from "./cards.js";
-import { CLASSES_ASKED, drawingSize, FEWEST_POINTS, problemOf } from "./question.js";
+import { clearCosts, costQuestions, showCost } from "./costs.js";
+import { directionOf } from "./posed.js";
+import { CLASSES_ASKED, fewestTargets, liveQuestion, questionsOf, drawingSize } from "./question.js";
 import { SketchScene } from "./scene.js";
 import { Search } from "./search.js";
 import { rounded, strokeTargets } from "./stroke.js";
 import { Surface } from "./surface.js";
 import { Takings } from "./takings.js";
 
-const EMPTY = { points: [], closed: false, stroke: false, class: "any", least: 30, reach: 3 };
+// `angles`: null of a curve; of poses one for each point, in degrees.
+const EMPTY = { points: [], angles: null, closed: false, stroke: false, class: "any", least: 30, reach: 3 };
 const SHOWN = 3;
-const QUICK = 60, LONG = 500;    // starts of the two searches
-const FOUND = 8;    // designs of each, of which those are shown that differ
 
 const scene = new SketchScene(byId("picture"), say("sketch.picture"));
 const controls = new Controls((seconds) => goTo(scene.phase / RADIANS + controls.player.pace * controls.player.speed * seconds),
@@ -33,13 +35,16 @@ controls.player.pace = 120;
 const cards = new Cards((i) => choose(i));
 const takings = new Takings(() => ({ state: shown, candidate: scene.candidates[scene.chosen] }));
 const search = Kernel.available ? new Search(take, (text) => announce(say("sketch.failed", { text }))) : null;
-const surface = new Surface(byId("picture"), () => scene.view, { begin: () => search?.cancel(), stroke, click, drag, drop, remove });
+const surface = new Surface(byId("picture"), () => scene.view, { begin: () => search?.cancel(), resume: () => solve(), stroke, click, drag, turn, drop, remove });
 const read = readAddress(CLASSES_ASKED);
 let steps = new History({ ...EMPTY, ...read?.state });
 // The state shown, which a drag has changed and the history does not hold yet; the design that stays chosen.
 let shown = steps.present, held = null, begun = 0;
+// The designs that were shown when a drag began; null while nothing is dragged.
+let dragged = null;
 
 const announce = (text) => { byId("state").textContent = text; };
+const isEnough = () => shown.points.length >= fewestTargets(shown.angles);
 
 function goTo(degreesOfMotion, byHand = false) {
   if (byHand) controls.play(false);
@@ -55,11 +60,11 @@ function goTo(degreesOfMotion, byHand = false) {
 function offer(candidates, chosen) {
   Object.assign(scene, { candidates, chosen });
   draw();
-  cards.show(candidates, chosen, shown.points);
+  cards.show(candidates, chosen, drawingSize(shown));
   followTakings();
 }
 
-const followTakings = () => takings.follow(shown.points.length >= FEWEST_POINTS, scene.candidates.length > 0);
+const followTakings = () => takings.follow(isEnough(), scene.candidates.length > 0);
 
 function choose(i) {
   if (!scene.candidates[i]) return;
@@ -69,21 +74,26 @@ function choose(i) {
   keepAddress();
 }
 
-// An answer of the search; that of the longer one replaces the designs where it is better.
-function take(answer, { live, last }) {
+// An answer of the search; those of the longer ones replace the designs where they are better.
+function take(answer, question) {
+  const { live, first, last, limit } = question;
+  if (limit) { showCost(answer, question, shown, leastError()); return; }
   const found = (answer.designs ?? []).map((entry) => new Candidate(entry));
-  const before = last ? scene.candidates : [];
-  const candidates = differing([...found, ...before], SHOWN, drawingSize(shown.points), held);
-  offer(candidates, Math.max(0, candidates.indexOf(held)));
+  const before = first ? [] : scene.candidates;
+  const candidates = differing([...found, ...before], SHOWN, drawingSize(shown), held);
+  const chosen = scene.candidates[scene.chosen];
+  offer(candidates, Math.max(0, live && chosen ? nearestTo(candidates, chosen) : candidates.indexOf(held)));
   if (!live && scene.candidates.length) widen();
-  announce(answer.faults ? answer.faults.map((fault) => sentence(sentenceOf(fault))).join(" ") : stateText(answer, last, live));
+  announce(answer.faults ? answer.faults.map((fault) => sentence(sentenceOf(fault))).join(" ") : stateText(last, live));
   if (!live) keepAddress();
+  if (last && !live && !answer.faults && leastError() > 0) search.ask(costQuestions(shown));
 }
 
-function stateText({ status, designs = [] }, last, live) {
+const leastError = () => Math.min(Infinity, ...scene.candidates.map(({ entry }) => withoutNoise(entry.rms, drawingSize(shown))));
+
+function stateText(last, live) {
   const time = duration((performance.now() - begun) / 1000);
-  if (designs.length === 0) return say("sketch.no_design");
-  if (status === "infeasible") return say("sketch.infeasible");
+  if (scene.candidates.length === 0) return say(last && !live ? "sketch.no_design" : "sketch.searching");
   return say(last || live ? "sketch.found" : "sketch.found_going_on", { n: scene.candidates.length, time });
 }
 
@@ -92,11 +102,11 @@ function widen() { if (scene.include(scene.candidates[scene.chosen].places)) dra
 
 function solve(live = false) {
   begun = performance.now();
-  if (!search || shown.points.length < FEWEST_POINTS) return;
-  const question = (starts, flags) => ({ problem: problemOf(shown, { starts, designs: FOUND }), ...flags });
-  if (live) { search.askNewest(question(QUICK, { live, last: false })); return; }
+  clearCosts();
+  if (!search || !isEnough()) return;
+  if (live) { search.askNewest(liveQuestion(shown, [...new Set([...scene.candidates, ...dragged])])); return; }
   announce(say("sketch.searching"));
-  search.ask([question(QUICK, { live, last: false }), question(LONG, { live, last: true })]);
+  search.ask(questionsOf(shown, scene.candidates));
 }
 
 // States
@@ -110,31 +120,41 @@ function change(parts) {
 // Shows the present state, and searches for it.
 function settle() {
   shown = steps.present;
-  held = null;
+  held = dragged = null;
   search?.cancel();
-  if (shown.points.length < FEWEST_POINTS) {
-    offer([], 0);
-    announce(shown.points.length ? say("sketch.more_points", { least: FEWEST_POINTS }) : "");
-  }
+  if (!isEnough()) askForMore();
   showState();
   keepAddress();
   solve();
 }
 
+function askForMore() {
+  offer([], 0);
+  announce(shown.points.length ? say(shown.angles ? "sketch.more_poses" : "sketch.more_points", { least: fewestTargets(shown.angles) }) : "");
+}
+
 function showState() {
-  const { points, closed, class: asked, least, reach } = shown;
+  const { points, angles, closed, class: asked, least, reach } = shown;
   byId("undo").disabled = !steps.canUndo;
   byId("redo").disabled = !steps.canRedo;
   byId("clear").disabled = points.length === 0;
   byId("closed").setAttribute("aria-pressed", String(closed));
+  byId("closed").hidden = angles !== null;
+  byId("of-curve").setAttribute("aria-pressed", String(!angles));
+  byId("of-poses").setAttribute("aria-pressed", String(Boolean(angles)));
   byId("hint").hidden = points.length > 0;
+  byId("hint").textContent = say(angles ? "sketch.hint_of_poses" : "sketch.hint");
   byId("class").value = asked;
   byId("least").value = least;
   byId("reach").value = reach;
   showLimits(least, reach);
-  scene.target(shown);
-  surface.show(points);
+  showTargets();
   followTakings();
+}
+
+function showTargets() {
+  scene.target(shown);
+  surface.show(shown.points, shown.angles);
 }
 
 function showLimits(least, reach) {
@@ -149,31 +169,47 @@ function keepAddress() {
 
 function draw() {
   scene.build();
-  surface.show(shown.points);
+  surface.show(shown.points, shown.angles);
 }
 
 // What a hand does
 
-function stroke(line) { change({ ...strokeTargets(line), stroke: true }); }
+const addPose = (place, degrees) => change({ points: [...shown.points, rounded(place)], angles: [...shown.angles, degrees] });
 
-// A click puts a point behind the others, on the first of them it closes the curve; after a stroke it begins anew.
-function click(place, i) {
-  const { points, stroke: drawn, closed } = shown;
-  if (i === undefined) change({ points: drawn ? [rounded(place)] : [...points, rounded(place)], stroke: false, closed: drawn ? false : closed });
-  else if (i === 0 && !drawn && points.length >= FEWEST_POINTS) change({ closed: !closed });
+// A curve; or a pose at the start of the stroke, in the direction of its end.
+function stroke(line) {
+  if (shown.angles) addPose(line[0], directionOf(line[0], line.at(-1)));
+  else change({ ...strokeTargets(line), stroke: true });
 }
 
-function drag(i, place) {
-  shown = { ...shown, points: shown.points.with(i, rounded(place)) };
-  scene.target(shown);
-  surface.show(shown.points);
+// A click puts a pose in the direction of the last; or a point behind the others, on the first of them it closes the curve;
+// after a stroke it begins anew.
+function click(place, i) {
+  const { points, angles, stroke: drawn, closed } = shown;
+  if (angles) { if (i === undefined) addPose(place, angles.at(-1) ?? 0); return; }
+  if (i === undefined) change({ points: drawn ? [rounded(place)] : [...points, rounded(place)], stroke: false, closed: drawn ? false : closed });
+  else if (i === 0 && !drawn && isEnough()) change({ closed: !closed });
+}
+
+function drag(i, place) { follow({ points: shown.points.with(i, rounded(place)) }); }
+function turn(i, degrees) { follow({ angles: shown.angles.with(i, degrees) }); }
+
+// While a hand changes targets nothing that was chosen for the former ones stays.
+function follow(targets) {
+  shown = { ...shown, ...targets };
+  held = null;
+  dragged ??= scene.candidates;
+  showTargets();
   solve(true);
 }
 
-function drop() { change({ points: shown.points }); }
+function drop() {
+  const { points, angles } = shown;
+  if (points !== steps.present.points || angles !== steps.present.angles) change({ points, angles });
+}
 
 function remove(i) {
-  change({ points: shown.points.toSpliced(i, 1) });
+  change({ points: shown.points.toSpliced(i, 1), angles: shown.angles?.toSpliced(i, 1) ?? null });
   (surface.handles[Math.min(i, surface.handles.length - 1)] ?? surface.area).focus();
 }
 
@@ -182,14 +218,21 @@ function step(sense) {
   settle();
 }
 
-const clear = () => change({ points: [], closed: false, stroke: false });
-const toggleClosed = () => change({ closed: !shown.closed });
+const clear = () => change({ points: [], angles: shown.angles && [], closed: false, stroke: false });
+const toggleClosed = () => { if (!shown.angles) change({ closed: !shown.closed }); };
+
+const limits = () => ({ class: shown.class, least: shown.least, reach: shown.reach });
+
+// What is drawn from now on; what there was of the other kind goes.
+function drawPoses(poses) { if (poses !== Boolean(shown.angles)) change({ ...EMPTY, ...limits(), angles: poses ? [] : null }); }
 
 function listen() {
   byId("undo").addEventListener("click", () => step("undo"));
   byId("redo").addEventListener("click", () => step("redo"));
   byId("clear").addEventListener("click", clear);
   byId("closed").addEventListener("click", toggleClosed);
+  byId("of-curve").addEventListener("click", () => drawPoses(false));
+  byId("of-poses").addEventListener("click", () => drawPoses(true));
   byId("class").append(...CLASSES_ASKED.map((name) => element("option", { value: name }, name === "any" ? say("sketch.any_class") : sentence(term(name)))));
   byId("class").addEventListener("change", (event) => change({ class: event.target.value }));
   for (const id of ["least", "reach"]) {
@@ -201,6 +244,7 @@ function listen() {
   new ResizeObserver(draw).observe(byId("picture"));
   new Zoom(byId("stage"), byId("picture"), () => scene, draw);
   new Saves(byId("stage"), byId("picture"), { title: () => "sketch", go: (share) => goTo(filmed([0, 360, true], share), true), back: () => goTo(0) });
+  new Bringings(byId("stage"), { curve: (line) => change({ ...EMPTY, ...limits(), ...strokeTargets(line), stroke: true }), picture: (picture) => { scene.picture = picture; draw(); }, fault: announce });
   addEventListener("hashchange", openAddress);
 }
 
@@ -209,6 +253,7 @@ function listenToKeys() {
   shortcut(["y"], "y", "sketch.redo", () => step("redo"));
   shortcut(["c"], "c", "sketch.close", toggleClosed);
   shortcut(["x"], "x", "sketch.clear_all", clear);
+  shortcut(["p"], "p", "sketch.curve_or_poses", () => drawPoses(!shown.angles));
   shortcut(["1", "2", "3"], "1 2 3", "sketch.choose", (event) => choose(Number(event.key) - 1));
   shortcut(["Enter"], "Enter", "sketch.put");
   shortcut(["Delete"], "Delete", "sketch.remove");
@@ -232,9 +277,11 @@ function openAddress() {
 // Begins with the design of the address, if any, which stays until the points change.
 function open(entry) {
   shown = steps.present;
+  search?.cancel();
   const first = entry ? new Candidate(entry) : null;
   held = first?.poses.length ? first : null;
-  offer(held ? [held] : [], 0);
+  dragged = null;
+  if (held || isEnough()) offer(held ? [held] : [], 0); else askForMore();
   showState();
   if (held) widen();
   solve();

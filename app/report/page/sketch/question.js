@@ -1,30 +1,74 @@
-// What is asked of the search, and the files that are taken along.
+// What is asked of the search.
 
 import { boxOf, diagonal } from "../view.js";
-import { tableWithoutRounding } from "../rounding.js";
 
 export const CLASSES_ASKED = ["any", "crank-rocker", "double-crank", "double-rocker", "triple-rocker"];
-export const FEWEST_POINTS = 3;
+export const fewestTargets = (angles) => (angles ? 2 : 3);
 
 const PIVOTS_WITHIN = 1.5;   // of the drawing's size, from its middle
 const SHORTEST = 0.02;
+// Of poses, which may stand at one place, the least size (a twelfth of the sheet) and the least that a radian counts.
+const LEAST_SIZE = 10, LEAST_WEIGHT = 5;
 
-export const drawingSize = (points) => diagonal(boxOf(points));
+// Starts of the searches that follow one another. Fewer are mostly enough for poses, since more is made of each.
+const LATER = [500, 2500];
+export const startsOf = ({ angles }) => [...(angles ? [15] : []), 60, ...LATER];
+// Those of a search while a hand drags, and the designs that it begins with: curves take longer.
+const besideKnown = ({ angles }) => (angles ? 4 : 1);
+const mostKnown = ({ angles }) => (angles ? 6 : 4);
+const FOUND = 8;             // designs of a search, of which those are shown that differ
 
-const short = (x) => Number(x.toPrecision(4));
+export const drawingSize = ({ points, angles }) => Math.max(angles ? LEAST_SIZE : 0, diagonal(boxOf(points)));
 
-// The problem of a sketch: its points, and the limits set beside it.
-export function problemOf({ points, class: asked, least, reach }, solve) {
-  const box = boxOf(points), size = diagonal(box);
+export const short = (x) => Number(x.toPrecision(4));
+
+function limitsOf({ points, angles, class: asked, least, reach }) {
+  const box = boxOf(points), size = drawingSize({ points, angles });
   const [x, y] = [(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2];
   const far = PIVOTS_WITHIN * Math.max(1, reach / 3) * size;
   const within = [[short(x - far), short(y - far)], [short(x + far), short(y + far)]];
-  return { kind: "path-generation", target: { points, timing: "free", order: "cyclic" },
-    bounds: { length: [short(SHORTEST * size), short(reach * size)], pivot_a: within, pivot_d: within },
-    constraints: { ...(asked === "any" ? {} : { class: asked }), ...(least > 0 ? { transmission_angle_deg: [least, 180 - least] } : {}) },
-    solve };
+  return { bounds: { length: [short(SHORTEST * size), short(reach * size)], pivot_a: within, pivot_d: within },
+    constraints: { ...(asked === "any" ? {} : { class: asked }), ...(least > 0 ? { transmission_angle_deg: [least, 180 - least] } : {}) } };
 }
 
-// The analysis of a candidate over its whole motion.
-export const analysisOf = ({ entry: { mechanism }, range: [from, to] }) => ({ kind: "analysis", mechanism: tableWithoutRounding(mechanism),
-  drive: { start_deg: short(from), end_deg: short(to), steps: 360 } });
+// What a radian counts beside lengths: the root mean squared distance from the middle, as in a file that does not say, but
+// not next to nothing where a body does little else than turn.
+function weightOf(points) {
+  const middle = [0, 1].map((k) => points.reduce((sum, p) => sum + p[k], 0) / points.length);
+  const natural = Math.hypot(...points.map((p) => Math.hypot(p[0] - middle[0], p[1] - middle[1]))) / Math.sqrt(points.length);
+  return natural < LEAST_WEIGHT ? { angle_weight: LEAST_WEIGHT } : {};
+}
+
+// Two poses leave circles undetermined: files have them met exactly.
+const guiding = (points, angles) => ({ kind: "motion-generation",
+  target: { ...(points.length > 2 ? { method: "least-squares", ...weightOf(points) } : {}), poses: points.map((p, i) => [...p, angles[i]]) }, mechanism: { dyads: ["RR"] } });
+
+const tracing = (points) => ({ kind: "path-generation", target: { points, timing: "free", order: "cyclic" } });
+
+// The problem of a sketch: its points or poses, and the limits set beside it.
+export function problemOf(state, solve) {
+  const { points, angles } = state;
+  return { ...(angles ? guiding(points, angles) : tracing(points)), ...limitsOf(state), solve };
+}
+
+// A design as the search takes it up: see read_known in the kernel.
+const asKnown = ({ entry: { mechanism: m, crank_deg: cranks, body_angle_deg: body = 0 } }) =>
+  [...m.fixed_pivots.flat(), m.crank, m.coupler, m.rocker, ...m.coupler_point, m.assembly === "open" ? 1 : 0, body, ...cranks];
+
+// The designs shown that were found for as many targets.
+const knownOf = ({ points }, candidates) => candidates.filter(({ entry }) => entry.crank_deg.length === points.length).map(asKnown);
+
+// The question while a hand still drags: from designs that were shown, if there are any.
+export function liveQuestion(state, candidates) {
+  const known = knownOf(state, candidates).slice(0, mostKnown(state));
+  return { problem: problemOf(state, { starts: known.length ? besideKnown(state) : startsOf(state)[0], designs: FOUND }), known, live: true, first: true, last: true };
+}
+
+// One question, of a search of middle length.
+export const questionFor = (state) => ({ problem: problemOf(state, { starts: LATER[0], designs: FOUND }) });
+
+// The questions for a drawing at rest.
+export function questionsOf(state, candidates) {
+  const rounds = startsOf(state);
+  return rounds.map((starts, i) => ({ problem: problemOf(state, { starts, designs: FOUND }), known: i ? [] : knownOf(state, candidates), first: i === 0, last: i === rounds.length - 1 }));
+}

@@ -1,18 +1,20 @@
-// The picture of a sketch: its points, the design chosen in motion, the others as ghosts.
+// The picture of a sketch: its points or poses, the design chosen in motion, the others as ghosts.
 
 import { set, svg } from "../dom.js";
 import { Picture } from "../picture.js";
 import { barPath, groundSign, pathThrough, round } from "../shapes.js";
+import { along, axesPath } from "./posed.js";
 
 // The part of the plane to draw in, in its units.
-const SHEET = { x0: -60, y0: -42, x1: 60, y1: 42 };
+export const SHEET = { x0: -60, y0: -42, x1: 60, y1: 42 };
 
 const PLATE = 5;
+const BEHIND = 225;   // degrees from the first axis of a pose, opposite to both: there its number stands
 
 export class SketchScene extends Picture {
   constructor(frame, label) {
     super(frame, label);
-    Object.assign(this, { candidates: [], chosen: 0, targets: { points: [], closed: false }, phase: 0 });
+    Object.assign(this, { candidates: [], chosen: 0, picture: null, targets: { points: [], angles: null, closed: false }, phase: 0 });
   }
 
   build() {
@@ -22,12 +24,18 @@ export class SketchScene extends Picture {
     this.drawn = svg("path", { class: "sketch-line" });
     this.spots = svg("g");
     this.ghosts = candidates.map((one, i) => (i === chosen ? null : this.#ghost(one, i, line)));
-    this.root.append(this.scaleBar(), this.drawn, ...this.ghosts.filter(Boolean).map(({ root }) => root));
+    this.root.append(...(this.picture ? [this.#underneath(this.picture)] : []), this.scaleBar(), this.drawn, ...this.ghosts.filter(Boolean).map(({ root }) => root));
     this.parts = candidates[chosen] ? this.#linkage(candidates[chosen], line) : null;
     if (this.parts) this.root.append(this.parts.root);
     this.root.append(this.spots);
     this.target(this.targets);
     this.move(this.phase);
+  }
+
+  // A picture {address, width, share} that is drawn over, about the middle of the sheet.
+  #underneath({ address, width, share }) {
+    const [x, y] = this.view.screen([-width / 2, (width * share) / 2]);
+    return svg("image", { href: address, class: "underneath", x: round(x), y: round(y), width: round(width * this.view.scale), height: round(width * share * this.view.scale), preserveAspectRatio: "none" });
   }
 
   #ghost({ curve }, i, line) {
@@ -40,17 +48,22 @@ export class SketchScene extends Picture {
     const bars = ["crank", "coupler", "rocker"].map((name) => svg("path", { class: `link-body ${name}`, style: "fill: var(--tint)" }));
     const pins = ["A", "B", "C", "D"].map((name) => svg("circle", { class: "pin", r: 4, "data-pin": name }));
     const point = svg("circle", { class: "coupler-point", r: 5, id: "tracing" });
-    const root = svg("g", { id: "linkage" }, svg("path", { class: "path", id: "curve", d: line(curve) }), ...mechanism.fixed_pivots.map((p) => groundSign(this.view.screen(p))), ...bars, ...pins, point);
-    return { root, bars, pins, point };
+    const body = svg("path", { class: "sketch-axes reached", id: "body" });
+    const root = svg("g", { id: "linkage" }, svg("path", { class: "path", id: "curve", d: line(curve) }), ...mechanism.fixed_pivots.map((p) => groundSign(this.view.screen(p))), ...bars, ...pins, body, point);
+    return { root, bars, pins, point, body };
   }
 
-  // The points drawn: {points, closed}.
+  #number(value, [x, y]) { return svg("text", { class: "sketch-number", x: round(x), y: round(y + 4) }, String(value)); }
+
+  // The points drawn, or poses: {points, angles, closed}.
   target(targets) {
     this.targets = targets;
-    const { points, closed } = targets;
+    const { points, angles, closed } = targets;
     const at = points.map((p) => this.view.screen(p));
-    set(this.drawn, { d: at.length ? pathThrough(at) + (closed ? "Z" : "") : "" });
-    this.spots.replaceChildren(...at.map(([x, y]) => svg("circle", { class: "sketch-spot", cx: round(x), cy: round(y), r: 3.5 })));
+    set(this.drawn, { d: at.length && !angles ? pathThrough(at) + (closed ? "Z" : "") : "" });
+    const axes = (angles ?? []).map((degrees, i) => svg("path", { class: "sketch-axes", d: axesPath(at[i], degrees) }));
+    const numbers = (angles ?? []).map((degrees, i) => this.#number(i + 1, along(at[i], degrees + BEHIND, 16)));
+    this.spots.replaceChildren(...axes, ...numbers, ...at.map(([x, y]) => svg("circle", { class: "sketch-spot", cx: round(x), cy: round(y), r: 3.5 })));
   }
 
   // Every linkage at `phase` of its motion.
@@ -61,16 +74,17 @@ export class SketchScene extends Picture {
       const [a, b, c, d, p] = pose ? [one.linkage.closure.a, pose.b, pose.c, one.linkage.closure.d, pose.p].map((place) => this.view.screen(place)) : [];
       if (i !== this.chosen) { set(this.ghosts[i].links, { d: pose ? `${pathThrough([a, b, c, d])}${pathThrough([b, p, c])}` : "" }); return; }
       this.parts.root.toggleAttribute("hidden", !pose);
-      if (pose) this.#place(a, b, c, d, p);
+      if (pose) this.#place(a, b, c, d, p, one.bodyAngle(pose));
     });
   }
 
-  #place(a, b, c, d, p) {
-    const { bars: [crank, coupler, rocker], pins, point } = this.parts;
+  #place(a, b, c, d, p, turned) {
+    const { bars: [crank, coupler, rocker], pins, point, body } = this.parts;
     set(crank, { d: barPath(a, b, PLATE) });
     set(coupler, { d: `${barPath(b, c, PLATE)}${barPath(b, p, PLATE - 1)}${barPath(c, p, PLATE - 1)}` });
     set(rocker, { d: barPath(d, c, PLATE) });
     [a, b, c, d].forEach(([x, y], i) => set(pins[i], { cx: round(x), cy: round(y) }));
     set(point, { cx: round(p[0]), cy: round(p[1]) });
+    set(body, { d: turned === null ? "" : axesPath(p, turned) });
   }
 }

@@ -24,17 +24,17 @@ export class Search {
     return worker;
   }
 
-  // Answers the questions [{problem, …}] in turn; what was asked before is given up.
+  // Answers the questions [{problem, known, …}] in turn, `known` being designs to begin with, perhaps none; what was asked before is given up.
   async ask(questions) {
     this.cancel();
     this.waiting = questions.map((question) => ({ ...question, id: ++this.last }));
     await this.#begin();
   }
 
-  // The same of one question while a drawing is dragged: that being answered is not given up, and of those that
-  // come meanwhile only the last is asked.
+  // The same of one question while a drawing is dragged: one like it that is being answered is not given up, and of those
+  // that come meanwhile only the last is asked.
   async askNewest(question) {
-    if (this.busy) this.next = question; else await this.ask([question]);
+    if (this.waiting[0]?.live) this.next = question; else await this.ask([question]);
   }
 
   async #begin() {
@@ -43,7 +43,7 @@ export class Search {
     const { worker } = this;
     await this.module;
     if (waiting !== this.waiting) return;
-    for (const { id, problem } of waiting) worker.postMessage({ id, problem, seed: SEED });
+    for (const { id, problem, known = [] } of waiting) worker.postMessage({ id, problem, known, seed: SEED });
   }
 
   #takeSpare() {

@@ -3,26 +3,29 @@
 import { set, svg } from "../dom.js";
 import { pathThrough, round } from "../shapes.js";
 import { say } from "../words.js";
+import { arrange, grip } from "./grips.js";
+import { Turners } from "./turners.js";
 
 const CLICK = 6;      // pixels within which a stroke is a click
 const STEP_PIXELS = 8;
 const ARROWS_TO = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 export class Surface {
-  // `on`, of places in the plane: begin() of a stroke, stroke(points), click(point), drag(i, point), drop() after a drag,
-  // remove(i); `view()` is that of the picture.
+  // `on`, of places in the plane: begin() of a stroke, resume() where it came to nothing, stroke(points), click(point), drag(i, point), turn(i, degrees),
+  // drop() after a drag or a turn, remove(i); `view()` is that of the picture.
   constructor(frame, view, on) {
     Object.assign(this, { view, on, at: null, handles: [] });
     this.area = svg("rect", { class: "draw-handle", width: "100%", height: "100%", tabindex: 0, role: "button", id: "sheet", "aria-label": say("sketch.sheet") });
     this.ink = svg("path", { class: "sketch-ink" });
     this.cross = svg("path", { class: "sketch-cross", d: "M-9 0H9M0 -9V9", hidden: "" });
     this.holder = svg("g");
-    this.root = svg("svg", { class: "sketch-surface", role: "group", "aria-label": say("sketch.sheet") }, this.area, this.ink, this.cross, this.holder);
+    this.turners = new Turners(on, (event) => this.view().plane(this.#pixels(event)), (place) => this.view().screen(place));
+    this.root = svg("svg", { class: "sketch-surface", role: "group", "aria-label": say("sketch.sheet") }, this.area, this.ink, this.cross, this.turners.root, this.holder);
     frame.append(this.root);
     this.area.addEventListener("pointerdown", (event) => this.#press(event));
     this.area.addEventListener("pointermove", (event) => this.#move(event));
     this.area.addEventListener("pointerup", () => this.#lift());
-    this.area.addEventListener("pointercancel", () => this.#stop());
+    this.area.addEventListener("pointercancel", () => { this.#stop(); this.on.resume(); });
     this.area.addEventListener("keydown", (event) => this.#key(event));
     this.area.addEventListener("blur", () => this.cross.toggleAttribute("hidden", true));
   }
@@ -44,7 +47,7 @@ export class Surface {
     if (!this.stroke || event.pointerId !== this.pointer) return;
     const events = event.getCoalescedEvents?.() ?? [];
     this.stroke.push(...(events.length ? events : [event]).map((one) => this.#pixels(one)));
-    set(this.ink, { d: pathThrough(this.stroke) });
+    set(this.ink, { d: pathThrough(this.posed ? [this.stroke[0], this.stroke.at(-1)] : this.stroke) });
   }
 
   #stop() {
@@ -78,39 +81,27 @@ export class Surface {
   #moved(place, step, far) { return place.map((x, k) => x + ((far ? 5 : 1) * STEP_PIXELS * step[k]) / this.view().scale); }
 
   #handle(i) {
-    const handle = svg("circle", { class: "target-handle", r: 12, tabindex: 0, role: "button", "data-target": i, "aria-label": say("sketch.point", { name: i + 1 }) });
-    handle.addEventListener("pointerdown", (event) => { event.preventDefault(); event.stopPropagation(); handle.focus(); handle.setPointerCapture(event.pointerId); this.dragged = false; });
-    handle.addEventListener("pointermove", (event) => {
-      if (!handle.hasPointerCapture(event.pointerId)) return;
-      this.dragged = true;
-      this.on.drag(i, this.view().plane(this.#pixels(event)));
-    });
-    handle.addEventListener("lostpointercapture", () => { if (this.dragged) this.on.drop(); else this.on.click(this.places[i], i); });
-    handle.addEventListener("keydown", (event) => this.#handleKey(event, i));
-    return handle;
+    const drop = (moved) => { if (moved) this.on.drop(); else this.on.click(this.places[i], i); };
+    return grip({ r: 12, role: "button", "data-target": i }, { move: (event) => this.on.drag(i, this.view().plane(this.#pixels(event))), drop, key: (event) => this.#handleKey(event, i) });
   }
 
   #handleKey(event, i) {
-    const step = ARROWS_TO[event.key], removes = event.key === "Delete";
-    if ((!step && !removes) || event.ctrlKey || event.altKey || event.metaKey) return;
-    event.preventDefault();
-    event.stopPropagation();
-    if (removes) { this.on.remove(i); return; }
-    this.on.drag(i, this.#moved(this.places[i], step, event.shiftKey));
-    this.on.drop();
+    const step = ARROWS_TO[event.key];
+    if (event.key === "Delete") this.on.remove(i);
+    if (step) {
+      this.on.drag(i, this.#moved(this.places[i], step, event.shiftKey));
+      this.on.drop();
+    }
+    return event.key === "Delete" || step !== undefined;
   }
 
-  // The handles at the points of the sketch.
-  show(points) {
+  // The handles at the points of the sketch; `angles`: those of its poses, where it has such.
+  show(points, angles) {
     const { width, height } = this.view();
     set(this.root, { viewBox: `0 0 ${width} ${height}` });
-    this.places = points;
-    while (this.handles.length < points.length) this.handles.push(this.#handle(this.handles.length));
-    for (const gone of this.handles.splice(points.length)) gone.remove();
-    points.forEach((point, i) => {
-      const [x, y] = this.view().screen(point), handle = this.handles[i];
-      set(handle, { cx: round(x), cy: round(y) });
-      if (handle.parentNode !== this.holder) this.holder.append(handle);
-    });
+    Object.assign(this, { places: points, posed: angles !== null });
+    this.turners.show(points, angles ?? []);
+    arrange(this.handles, this.holder, points.map((point) => this.view().screen(point)), (i) => this.#handle(i),
+      (i) => ({ "aria-label": say(this.posed ? "sketch.pose" : "sketch.point", { name: i + 1 }) }));
   }
 }

@@ -2,12 +2,17 @@
 
 import { saveText } from "../controls.js";
 import { byId, element } from "../dom.js";
+import { tableWithoutRounding } from "../rounding.js";
 import { problemToml } from "../toml.js";
 import { say } from "../words.js";
-import { analysisOf, problemOf } from "./question.js";
+import { problemOf, short } from "./question.js";
 
 const FILE_STARTS = 500;
 const FILE_DESIGNS = 3;
+
+// The analysis of a candidate over its whole motion.
+const analysisOf = ({ entry: { mechanism }, range: [from, to] }) => ({ kind: "analysis", mechanism: tableWithoutRounding(mechanism),
+  drive: { start_deg: short(from), end_deg: short(to), steps: 360 } });
 
 export class Takings {
   // `present()`: the state of the sketch and the candidate chosen, perhaps none.
@@ -26,7 +31,7 @@ export class Takings {
     byId("takings").append(element("div", { class: "sketch-buttons" }, ...this.buttons.map(({ button }) => button)), this.said, this.text);
   }
 
-  get title() { return say("sketch.title_of_file"); }
+  get title() { return say(this.present().state.angles ? "sketch.title_of_poses" : "sketch.title_of_file"); }
   get problem() { return problemToml({ title: this.title, ...problemOf(this.present().state, { starts: FILE_STARTS, designs: FILE_DESIGNS }) }); }
   get design() { return problemToml({ title: this.title, ...analysisOf(this.present().candidate) }); }
 

@@ -3,7 +3,7 @@
 import { encoded } from "../encoded.js";
 
 // All that the worker does; it runs from this function's text and that of `encoded`. It is sent {module} first, then any
-// number of {id, problem, seed}, each answered by {id, answer} or {id, failure}.
+// number of {id, problem, known, seed}, each answered by {id, answer} or {id, failure}.
 function searchWorker() {
   let ready;
   const load = async (module) => {
@@ -11,9 +11,9 @@ function searchWorker() {
     exports._initialize?.();
     return exports;
   };
-  const answerOf = (calls, { problem, seed }) => {
+  const answerOf = (calls, { problem, known, seed }) => {
     const numbers = [];
-    const text = new TextEncoder().encode(encoded(problem, numbers));
+    const text = new TextEncoder().encode(encoded(known.length ? { ...problem, known } : problem, numbers));
     const at = calls.room(text.length);
     new Float64Array(calls.memory.buffer, calls.numbers(), 65536).set(numbers);
     new Uint8Array(calls.memory.buffer, at, text.length).set(text);

@@ -1,0 +1,93 @@
+#include "app/report/kernel/sketched.hpp"
+
+#include <string>
+#include <utility>
+
+#include "analysis/linkage/mobility.hpp"
+#include "problems/basics/degrees.hpp"
+#include "problems/guidance/design.hpp"
+
+namespace cognate::page {
+namespace {
+
+using json = nlohmann::ordered_json;
+using problems::Design;
+
+json pair(const Vec2d& point) {
+  return json::array({point.x, point.y});
+}
+
+json mechanism_of(const FourBar& linkage) {
+  return {{"type", "four-bar"},
+          {"fixed_pivots", {pair(linkage.pivot_a), pair(linkage.pivot_d)}},
+          {"crank", linkage.crank},
+          {"coupler", linkage.coupler},
+          {"rocker", linkage.rocker},
+          {"coupler_point", pair(*linkage.coupler_point)},
+          {"assembly", linkage.assembly == Assembly::open ? "open" : "crossed"}};
+}
+
+}  // namespace
+
+bool has_target(problems::reading::TableReader& target, std::string_view key) {
+  const bool has = target.has(key);
+  if (!has) target.fault(key, "is missing");
+  return has;
+}
+
+std::vector<Design> read_known(problems::reading::TableReader& document, std::size_t targets) {
+  constexpr std::size_t kAngle = 10, kFirst = 11, kMost = 20;
+  std::vector<Design> known;
+  const auto rows = document.each_row("known", kFirst + targets, problems::reading::kNumber,
+                                      "rows of eleven numbers and the crank's angles",
+                                      {.max = kMost, .of = "designs"});
+  for (const auto& row : rows) {
+    if (!row) continue;
+    const std::vector<double>& v = *row;
+    const FourBar linkage{{v[0], v[1]},
+                          {v[2], v[3]},
+                          v[4],
+                          v[5],
+                          v[6],
+                          v[9] == 1 ? Assembly::open : Assembly::crossed,
+                          Vec2d{v[7], v[8]}};
+    Design design;
+    design.mechanism.description = linkage;
+    design.metrics.quantities.push_back(
+        quantity(problems::kBodyAngleKey, problems::reading::radians(v[kAngle])));
+    for (std::size_t i = kFirst; i < v.size(); ++i) {
+      design.crank_angles.push_back(problems::reading::radians(v[i]));
+    }
+    known.push_back(std::move(design));
+  }
+  return known;
+}
+
+problems::Run run_of(const SketchQuestion& question, std::vector<Design> known) {
+  problems::Run run;
+  run.seed = question.seed;
+  run.threads = 1;
+  run.known = std::move(known);
+  return run;
+}
+
+json sketched(const Design& design) {
+  json angles = json::array();
+  for (const double angle : design.crank_angles) angles.push_back(problems::degrees(angle));
+  const auto& metrics = design.metrics;
+  json entry{{"mechanism", mechanism_of(four_bar(design))},
+             {"crank_deg", std::move(angles)},
+             {"rms", design.error.rms},
+             {"max", design.error.max},
+             {"class", metrics.mobility ? problems::to_string(*metrics.mobility) : ""},
+             {"transmission_acute_min_deg", problems::degrees(metrics.transmission_acute_min)}};
+  const auto body = find_quantity(metrics.quantities, problems::kBodyAngleKey);
+  const auto turned = find_quantity(metrics.quantities, problems::kAngleErrorKey);
+  if (body && turned) {
+    entry["body_angle_deg"] = problems::degrees(*body);
+    entry["angle_max_deg"] = problems::degrees(*turned);
+  }
+  return entry;
+}
+
+}  // namespace cognate::page

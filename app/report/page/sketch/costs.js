@@ -1,0 +1,27 @@
+// What the limits cost: the error that there would be without each of them.
+
+import { byId } from "../dom.js";
+import { say } from "../words.js";
+import { rmsText } from "./cards.js";
+import { drawingSize, questionFor } from "./question.js";
+
+const ANY_REACH = 10;
+const MATTERS = 0.9;   // of the error within all limits: what is not below that is no gain
+
+// Each limit: whether it holds, and the state without it.
+const LIMITS = {
+  class: { holds: (state) => state.class !== "any", without: (state) => ({ ...state, class: "any" }) },
+  least: { holds: (state) => state.least > 0, without: (state) => ({ ...state, least: 0 }) },
+  reach: { holds: (state) => state.reach < ANY_REACH, without: (state) => ({ ...state, reach: ANY_REACH }) },
+};
+
+// The questions that tell, for a state with a design that is not exact or with none.
+export const costQuestions = (state) => Object.entries(LIMITS).filter(([, { holds }]) => holds(state)).map(([limit, { without }]) => ({ ...questionFor(without(state)), limit }));
+
+// Says what the answer to one of them tells. `error`: the least within all limits.
+export function showCost({ designs = [] }, { limit }, state, error) {
+  const without = Math.min(...designs.map(({ rms }) => rms));
+  byId(`cost-of-${limit}`).textContent = without < MATTERS * error ? say("sketch.cost", { error: rmsText(without, drawingSize(state)) }) : "";
+}
+
+export function clearCosts() { for (const limit of Object.keys(LIMITS)) byId(`cost-of-${limit}`).textContent = ""; }

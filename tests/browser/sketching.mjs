@@ -1,0 +1,100 @@
+// The page of `cognate sketch` in a browser. COGNATE: the program, which also answers in the place of the search where
+// the build had no compiler for WebAssembly.
+import assert from "node:assert/strict";
+import { execFile, execFileSync } from "node:child_process";
+import fs from "node:fs";
+import os from "node:os";
+import path from "node:path";
+import { after, before } from "node:test";
+import { promisify } from "node:util";
+import { gzipSync } from "node:zlib";
+import { problemToml } from "../../app/report/page/toml.js";
+import { distance, launch, open } from "./browser.mjs";
+
+export let browser, folder, file, hasKernel;
+before(async () => {
+  browser = await launch();
+  folder = fs.mkdtempSync(path.join(os.tmpdir(), "cognate-sketch-"));
+  file = path.join(folder, "sketch.html");
+  execFileSync(process.env.COGNATE, ["sketch", "--out", file]);
+  const text = fs.readFileSync(file, "utf8");
+  hasKernel = !text.includes('id="kernel"></script>');
+  // A module without anything in it: the page has a search, and the program is it.
+  const empty = gzipSync(Buffer.from([0, 97, 115, 109, 1, 0, 0, 0])).toString("base64");
+  fs.writeFileSync(path.join(folder, "answered.html"), hasKernel ? text : text.replace('id="kernel">', `id="kernel">${empty}`));
+});
+after(async () => { await browser?.close(); fs.rmSync(folder, { recursive: true }); });
+
+let files = 0;
+export async function answered(command, text, ...options) {
+  const name = path.join(folder, `${++files}.toml`);
+  fs.writeFileSync(name, text);
+  const run = await promisify(execFile)(process.env.COGNATE, [command, "--json", name, ...options], { maxBuffer: 1 << 28 }).catch((error) => error);
+  return JSON.parse(run.stdout);
+}
+
+// What the search answers, by the program.
+async function programAnswer(problem) {
+  const result = await answered("solve", problemToml(problem));
+  return { status: result.status, designs: result.designs.map(({ mechanism, crank_deg: cranks, error, metrics }) => ({ mechanism, crank_deg: cranks, rms: error.rms, max: error.max,
+    class: metrics.class, transmission_acute_min_deg: metrics.transmission_angle_deg.acute_min, body_angle_deg: metrics.body_angle_in_link_deg, angle_max_deg: metrics.angle_error_max_deg })) };
+}
+
+async function prepare(page) {
+  if (hasKernel) return;
+  await page.exposeFunction("programAnswer", programAnswer);
+  await page.addInitScript(() => {
+    window.Worker = class {
+      terminate() { this.ended = true; }
+      postMessage({ id, problem }) {
+        if (problem === undefined) return;
+        this.queue = (this.queue ?? Promise.resolve()).then(async () => {
+          if (this.ended) return;
+          const answer = await window.programAnswer(problem);
+          if (!this.ended) this.onmessage({ data: { id, answer } });
+        });
+      }
+    };
+  });
+}
+
+export async function visit(options, steps) {
+  const { page, faults, close } = await open(browser, path.join(folder, "answered.html"), { motion: "reduce", prepare, ...options });
+  await steps(page);
+  assert.deepEqual(faults, []);
+  await close();
+}
+
+// Draws with the mouse through places given by shares of the picture.
+export async function draw(page, at, [from, to] = [0, 2 * Math.PI]) {
+  const box = await page.locator("#sheet").boundingBox();
+  const place = (t) => { const [x, y] = at(t); return [box.x + x * box.width, box.y + y * box.height]; };
+  await page.mouse.move(...place(from));
+  await page.mouse.down();
+  for (let i = 1; i <= 60; ++i) await page.mouse.move(...place(from + ((to - from) * i) / 60));
+  await page.mouse.up();
+}
+
+export const settled = (page) => page.waitForFunction(() => /designs? after [^;]*\.$/.test(document.getElementById("state").textContent));
+export const facts = (page, name) => page.locator(`[data-fact="${name}"]`).evaluateAll((all) => all.map((one) => JSON.parse(one.dataset.value)));
+export const targets = (page) => page.locator("[data-target]").count();
+
+// The numbers of the address: its points, and its design.
+export function addressOf(page) {
+  const parts = Object.fromEntries(page.url().split("#")[1].split("&").map((part) => part.split("=")));
+  const [numbers, assembly, , cranks = ""] = (parts.d ?? "").split(";");
+  const [ax, ay, dx, dy, crank, coupler, rocker, u, v, rms, max, , body] = numbers.split(",").map(Number);
+  return { points: parts.p.split(";").map((p) => p.split(",").map(Number)), a: [ax, ay], d: [dx, dy], crank, coupler, rocker, u, v, rms, max, body, cranks: cranks.split(",").map(Number), side: assembly === "crossed" ? -1 : 1 };
+}
+
+// Where the coupler point is and the direction of the coupler, by the intersection of two circles, as in a textbook.
+export function couplerPose({ a, d, crank, coupler, rocker, u, v, side }, angle) {
+  const b = [a[0] + crank * Math.cos(angle), a[1] + crank * Math.sin(angle)];
+  const base = distance(b, d), along = (coupler ** 2 - rocker ** 2 + base ** 2) / (2 * base);
+  const height = Math.sqrt(coupler ** 2 - along ** 2);
+  if (Number.isNaN(height)) return null;
+  const e = [(d[0] - b[0]) / base, (d[1] - b[1]) / base];
+  const c = [b[0] + along * e[0] - side * height * e[1], b[1] + along * e[1] + side * height * e[0]];
+  const f = [(c[0] - b[0]) / coupler, (c[1] - b[1]) / coupler];
+  return { at: [b[0] + u * f[0] - v * f[1], b[1] + u * f[1] + v * f[0]], direction: Math.atan2(f[1], f[0]) };
+}

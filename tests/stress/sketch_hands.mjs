@@ -1,0 +1,80 @@
+// What random hands do to the page of `cognate sketch` in headless Chromium:
+//   BROWSER_PACKAGES=$PWD/build/release/tests/browser/npm node tests/stress/sketch_hands.mjs build/release/app/cognate [ACTIONS] [SEED]
+// Strokes, clicks, poses, drags, turns, keys, limits, undoing: none waits for the one before. Every hundred the page must
+// come to rest with designs or a sentence; messages of the console, and a page that does not answer, end the run with 1.
+import { execFileSync } from "node:child_process";
+import fs from "node:fs";
+import os from "node:os";
+import path from "node:path";
+import { drawnPoses, drawnStroke, randomNumbers } from "../bench/report/drawings.mjs";
+import { launch, open } from "../browser/browser.mjs";
+
+const [program, actions = "1000", seed = "1"] = process.argv.slice(2);
+const REST = 100, PATIENCE = 120000;
+const random = randomNumbers(2654435769 ^ (Number(seed) * 40503));
+for (let i = 0; i < 20; ++i) random();
+const pick = (list) => list[Math.floor(random() * list.length)];
+
+async function through(page, places) {
+  await page.mouse.move(...places[0]);
+  await page.mouse.down();
+  for (const place of places.slice(1)) await page.mouse.move(...place);
+  await page.mouse.up();
+}
+
+const KEYS = ["1", "2", "3", "c", "x", "p", "z", "y", " ", "Enter", "Delete", "Tab", "ArrowLeft", "Shift+ArrowUp", "Control+z", "Control+Shift+z", "Escape"];
+
+// Each takes the page and a function from shares of the sheet to pixels.
+const DOES = {
+  stroke: (page, at) => through(page, drawnStroke(Math.floor(1e6 * random()))[0].map(at)),
+  short: (page, at) => { const p = [random(), random()]; return through(page, [p, p.map((x) => x + 0.02 * (random() - 0.5))].map(at)); },
+  click: (page, at) => page.mouse.click(...at([random(), random()])),
+  poses: async (page, at) => { for (const stroke of drawnPoses(Math.floor(1e6 * random()))) await through(page, stroke.map(at)); },
+  drag: (page) => dragged(page, "[data-target]"),
+  turn: (page) => dragged(page, "[data-turn]"),
+  key: (page) => page.keyboard.press(pick(KEYS)),
+  limit: (page) => page.evaluate(([id, share]) => {
+    const slider = document.getElementById(id);
+    slider.value = Number(slider.min) + share * (slider.max - slider.min);
+    for (const name of ["input", "change"]) slider.dispatchEvent(new Event(name, { bubbles: true }));
+  }, [pick(["least", "reach"]), random()]),
+  class: (page, _, share = random()) => page.evaluate((x) => {
+    const choice = document.getElementById("class");
+    choice.selectedIndex = Math.floor(x * choice.options.length);
+    choice.dispatchEvent(new Event("change", { bubbles: true }));
+  }, share),
+  kind: (page) => page.evaluate((id) => document.getElementById(id).click(), pick(["of-curve", "of-poses"])),
+  step: (page) => page.evaluate((id) => document.getElementById(id).click(), pick(["undo", "undo", "redo", "clear"])),
+};
+
+async function dragged(page, selector) {
+  const boxes = await page.locator(selector).evaluateAll((all) => all.map((one) => one.getBoundingClientRect()).map(({ x, y, width, height }) => [x + width / 2, y + height / 2]));
+  if (!boxes.length) return;
+  const [x, y] = pick(boxes);
+  await through(page, Array.from({ length: 12 }, (_, k) => [x + 8 * k * (random() - 0.5), y + 8 * k * (random() - 0.5)]));
+}
+
+const rests = (page) => page.waitForFunction(() => !/…$/.test(document.getElementById("state").textContent), null, { timeout: PATIENCE });
+
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), "cognate-sketch-"));
+const file = path.join(folder, "sketch.html");
+execFileSync(program, ["sketch", "--out", file]);
+const browser = await launch();
+const { page, faults } = await open(browser, file);
+const done = {};
+let rested = 0, designs = 0;
+for (let i = 1; i <= Number(actions) && !faults.length; ++i) {
+  const box = await page.locator("#sheet").boundingBox({ timeout: PATIENCE });
+  const name = pick(Object.keys(DOES));
+  done[name] = (done[name] ?? 0) + 1;
+  await DOES[name](page, ([x, y]) => [box.x + x * box.width, box.y + y * box.height]);
+  if (i % REST) continue;
+  await rests(page);
+  rested += 1;
+  designs += await page.locator(".design-card").count();
+}
+console.log(`${Object.entries(done).map(([name, count]) => `${count} ${name}`).join(", ")}; at rest ${rested} times, with ${designs} designs`);
+if (faults.length) console.log(faults.join("\n"));
+await browser.close();
+fs.rmSync(folder, { recursive: true });
+process.exitCode = faults.length ? 1 : 0;
