@@ -215,6 +215,49 @@ test("a picture lies under the drawing until it is removed", () => visit({}, asy
   await page.waitForFunction(() => document.getElementById("state").textContent.startsWith("The file is not a picture"));
 }));
 
+test("fixed pivots stand in the box that is drawn for them, by hand or by keys", () => visit({}, async (page) => {
+  await draw(page, ellipse);
+  await settled(page);
+  const box = await page.locator("#sheet").boundingBox();
+  await page.locator("#region").click();
+  await page.mouse.move(box.x + 0.7 * box.width, box.y + 0.75 * box.height);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.55 * box.width, box.y + 0.2 * box.height, { steps: 5 });
+  await page.mouse.up();
+  await settled(page);
+  const bounds = () => page.url().match(/&b=([^&]+)/)[1].split(",").map(Number);
+  const inside = () => {
+    const [x0, y0, x1, y1] = bounds(), { a, d } = addressOf(page);
+    assert.ok(x0 < x1 && y0 < y1);
+    for (const [x, y] of [a, d]) assert.ok(x >= x0 - 1e-6 && x <= x1 + 1e-6 && y >= y0 - 1e-6 && y <= y1 + 1e-6, `${[x, y]} in ${[x0, y0, x1, y1]}`);
+  };
+  inside();
+  assert.ok(await page.locator("#pivot-region").isVisible());
+  // Another click takes it away, a step back brings it again; the address holds it.
+  await page.locator("#region").click();
+  assert.ok(!page.url().includes("&b="));
+  await page.keyboard.press("Control+z");
+  await settled(page);
+  inside();
+  await visit({ hash: `#${page.url().split("#")[1]}` }, async (again) => {
+    await settled(again);
+    assert.ok(again.url().includes(page.url().match(/&b=[^&]+/)[0]));
+  });
+  await page.locator("#region").click();
+  const drawn = addressOf(page).points;
+  await page.keyboard.press("r");
+  await page.locator("#sheet").focus();
+  for (const key of ["Shift+ArrowLeft", "Enter", ...Array.from({ length: 6 }, () => "Shift+ArrowRight"), ...Array.from({ length: 5 }, () => "Shift+ArrowDown"), "Enter"]) await page.keyboard.press(key);
+  await settled(page);
+  inside();
+  assert.deepEqual(addressOf(page).points, drawn);
+  // The next stroke draws again.
+  await draw(page, ellipse, [0.4, 3.6]);
+  await settled(page);
+  inside();
+  assert.equal(await page.locator("#closed").getAttribute("aria-pressed"), "false");
+}));
+
 test("a finger draws", () => visit({ size: "phone" }, async (page) => {
   const box = await page.locator("#sheet").boundingBox();
   const client = await page.context().newCDPSession(page);

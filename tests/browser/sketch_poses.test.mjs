@@ -143,12 +143,12 @@ test("a place can be dragged where the tip of another pose lies on it, and a tip
   await put(page, [[0.5, 0.5, 0.1, 0]]);
   const tip = await page.locator('[data-turn="0"]').boundingBox();
   await page.evaluate((hash) => { location.hash = hash; }, await page.evaluate(([x, y]) => {
-    const box = document.getElementById("sheet").getBoundingClientRect(), first = document.querySelector("[data-target]").getBoundingClientRect();
+    const first = document.querySelector("[data-target]").getBoundingClientRect();
     // Units of the sheet per pixel, by the first pose, which stands at its middle but for rounding.
     const scale = Number(document.querySelector(".scale-line").getBBox().width);
     const units = Number(document.querySelector(".scale-text").textContent.match(/[0-9.]+/)[0]) / scale;
     const [px, py] = location.hash.match(/p=([-0-9.]+),([-0-9.]+)/).slice(1).map(Number);
-    return `#p=${px},${py},0;${px + (x - first.x - first.width / 2) * units},${py - (y - first.y - first.height / 2) * units},90&o=open,points&b=${box.width}`;
+    return `#p=${px},${py},0;${px + (x - first.x - first.width / 2) * units},${py - (y - first.y - first.height / 2) * units},90&o=open,points`;
   }, [tip.x + tip.width / 2, tip.y + tip.height / 2]));
   await page.waitForFunction(() => document.querySelectorAll("[data-turn]").length === 2);
   const other = await page.locator('[data-target="1"]').boundingBox();

@@ -12,6 +12,7 @@ const MATTERS = 0.9;   // of the error within all limits: what is not below that
 const LIMITS = {
   class: { holds: (state) => state.class !== "any", without: (state) => ({ ...state, class: "any" }) },
   least: { holds: (state) => state.least > 0, without: (state) => ({ ...state, least: 0 }) },
+  region: { holds: (state) => state.region !== null, without: (state) => ({ ...state, region: null }) },
   reach: { holds: (state) => state.reach < ANY_REACH, without: (state) => ({ ...state, reach: ANY_REACH }) },
 };
 

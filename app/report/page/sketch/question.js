@@ -22,11 +22,17 @@ export const drawingSize = ({ points, angles }) => Math.max(angles ? LEAST_SIZE 
 
 export const short = (x) => Number(x.toPrecision(4));
 
-function limitsOf({ points, angles, class: asked, least, reach }) {
-  const box = boxOf(points), size = drawingSize({ points, angles });
+// Where the fixed pivots may stand, low and high corner: as the hand says, or not far from the drawing.
+function pivotsWithin({ points, region, reach }, size) {
+  if (region) return region;
+  const box = boxOf(points);
   const [x, y] = [(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2];
   const far = PIVOTS_WITHIN * Math.max(1, reach / 3) * size;
-  const within = [[short(x - far), short(y - far)], [short(x + far), short(y + far)]];
+  return [[short(x - far), short(y - far)], [short(x + far), short(y + far)]];
+}
+
+function limitsOf(state) {
+  const { class: asked, least, reach } = state, size = drawingSize(state), within = pivotsWithin(state, size);
   return { bounds: { length: [short(SHORTEST * size), short(reach * size)], pivot_a: within, pivot_d: within },
     constraints: { ...(asked === "any" ? {} : { class: asked }), ...(least > 0 ? { transmission_angle_deg: [least, 180 - least] } : {}) } };
 }

@@ -11,10 +11,11 @@ const STEP_PIXELS = 8;
 const ARROWS_TO = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 export class Surface {
-  // `on`, of places in the plane: begin() of a stroke, resume() where it came to nothing, stroke(points), click(point), drag(i, point), turn(i, degrees),
-  // drop() after a drag or a turn, remove(i); `view()` is that of the picture.
+  // `on`, of places in the plane: begin() of a stroke, resume() where it came to nothing, stroke(points), box(corner, corner)
+  // in place of that while `boxes` is set, click(point), drag(i, point), turn(i, degrees), drop() after a drag or a turn,
+  // remove(i); `view()` is that of the picture.
   constructor(frame, view, on) {
-    Object.assign(this, { view, on, at: null, handles: [] });
+    Object.assign(this, { view, on, at: null, corner: null, boxes: false, handles: [] });
     this.area = svg("rect", { class: "draw-handle", width: "100%", height: "100%", tabindex: 0, role: "button", id: "sheet", "aria-label": say("sketch.sheet") });
     this.ink = svg("path", { class: "sketch-ink" });
     this.cross = svg("path", { class: "sketch-cross", d: "M-9 0H9M0 -9V9", hidden: "" });
@@ -47,7 +48,12 @@ export class Surface {
     if (!this.stroke || event.pointerId !== this.pointer) return;
     const events = event.getCoalescedEvents?.() ?? [];
     this.stroke.push(...(events.length ? events : [event]).map((one) => this.#pixels(one)));
-    set(this.ink, { d: pathThrough(this.posed ? [this.stroke[0], this.stroke.at(-1)] : this.stroke) });
+    set(this.ink, { d: this.#inkPath(this.stroke[0], this.stroke.at(-1)) });
+  }
+
+  #inkPath(from, to) {
+    if (this.boxes) return `${pathThrough([from, [to[0], from[1]], to, [from[0], to[1]]])}Z`;
+    return pathThrough(this.posed ? [from, to] : this.stroke);
   }
 
   #stop() {
@@ -61,6 +67,7 @@ export class Surface {
     this.#stop();
     const reach = Math.max(...stroke.map((p) => Math.hypot(p[0] - stroke[0][0], p[1] - stroke[0][1])));
     const points = stroke.map((p) => this.view().plane(p));
+    if (this.boxes) { if (reach < CLICK) this.on.resume(); else this.on.box(points[0], points.at(-1)); return; }
     if (reach < CLICK) this.on.click(points[0]); else this.on.stroke(points);
   }
 
@@ -71,11 +78,19 @@ export class Surface {
     event.preventDefault();
     event.stopPropagation();
     this.at ??= this.view().plane(this.view().middle);
-    if (puts) this.on.click(this.at);
+    if (puts) this.#put(this.at);
     else this.at = this.#moved(this.at, step, event.shiftKey);
     const [x, y] = this.view().screen(this.at);
     set(this.cross, { transform: `translate(${round(x)} ${round(y)})` });
     this.cross.toggleAttribute("hidden", false);
+  }
+
+  // By keys the corners of a box are put one after another.
+  #put(place) {
+    if (!this.boxes) { this.on.click(place); return; }
+    const { corner } = this;
+    this.corner = corner ? null : place;
+    if (corner) this.on.box(corner, place);
   }
 
   #moved(place, step, far) { return place.map((x, k) => x + ((far ? 5 : 1) * STEP_PIXELS * step[k]) / this.view().scale); }
