@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import { assertFits, distance, inTurn as test, moves, open, some } from "./browser.mjs";
-import { addressOf, answered, browser, couplerPose, draw, facts, file, hasKernel, settled, targets, visit } from "./sketching.mjs";
+import { addressOf, answered, browser, couplerPose, draw, facts, file, hasKernel, offered, settled, targets, visit } from "./sketching.mjs";
 
 const ellipse = (t) => [0.5 + 0.16 * Math.cos(t), 0.45 - 0.2 * Math.sin(t)];
 
@@ -57,11 +57,11 @@ test("a design is chosen, and all move", () => visit({ motion: "no-preference" }
 
 test("every step can be undone and made again", () => visit({}, async (page) => {
   await draw(page, ellipse);
-  await settled(page);
+  await offered(page);
   const count = await targets(page), drawn = addressOf(page).points;
   await page.locator('[data-target="2"]').focus();
   await page.keyboard.press("Shift+ArrowUp");
-  await settled(page);
+  await offered(page);
   assert.notDeepEqual(addressOf(page).points[2], drawn[2]);
   await page.locator('[data-target="2"]').focus();
   await page.keyboard.press("Delete");
@@ -75,7 +75,7 @@ test("every step can be undone and made again", () => visit({}, async (page) => 
   await page.keyboard.press("Control+z");
   await page.keyboard.press("z");
   assert.deepEqual(addressOf(page).points, drawn);
-  await settled(page);
+  await offered(page);
   for (let i = 0; i < 2; ++i) await page.keyboard.press("Control+Shift+z");
   assert.equal(await targets(page), count - 1);
   assert.ok(await page.locator("#redo").isEnabled());
@@ -110,7 +110,7 @@ test("points are clicked, and put by keys alone", () => visit({}, async (page) =
   await page.locator("#sheet").focus();
   for (const key of ["ArrowLeft", "Shift+ArrowLeft", "ArrowDown", "Enter"]) await page.keyboard.press(key);
   assert.equal(await targets(page), 4);
-  await settled(page);
+  await offered(page);
 }));
 
 test("the address holds the sketch and its design", () => visit({}, async (page) => {
@@ -135,7 +135,7 @@ for (const hash of some(["#p=1,2;3", "#p=x,y", "#d=1,2", "#p=1,2;3,4;5,6&d=1,2,3
   test(`a damaged address ${hash} does no harm`, () => visit({ hash }, async (page) => {
     assert.ok(await page.locator("#sheet").isVisible());
     await draw(page, ellipse);
-    await settled(page);
+    await offered(page);
   }));
 }
 
@@ -172,7 +172,7 @@ test("the longest line of an SVG file becomes the curve, with its transforms and
   // An ellipse of 2 to 1 that is turned upright, beside a shorter line, a shape that is not drawn, and a script.
   await bring(page, "mark.svg", `<svg xmlns="http://www.w3.org/2000/svg" onload="window.bad = 1"><defs><circle r="900"/></defs><script>window.bad = 1</script>
     <rect width="4000" height="4000"/><path d="M0 0L5 5"/><g transform="translate(300 -20) rotate(90)"><ellipse cx="7" cy="9" rx="80" ry="40" transform="scale(2)" onclick="bad()"/></g></svg>`);
-  await settled(page);
+  await offered(page);
   const { points } = addressOf(page);
   const far = points.map(([x, y]) => Math.hypot(2 * x, y));
   assert.ok(Math.max(...far) / Math.min(...far) < 1.02, `${far}`);
@@ -183,7 +183,7 @@ test("the longest line of an SVG file becomes the curve, with its transforms and
   const before = page.url();
   await bring(page, "wave.svg", '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0C0 0 0 0 100 50L200 50m300 300L900 900"/></svg>');
   await page.waitForFunction((url) => location.href !== url, before);
-  await settled(page);
+  await offered(page);
   const wave = addressOf(page).points;
   assert.ok(wave[0][1] > wave.at(-1)[1] && wave.at(-1)[0] > wave[0][0]);
   assert.ok(Math.abs(wave.at(-1)[0] - wave[0][0] - 0.7 * 120) < 0.1);
@@ -207,7 +207,7 @@ test("a picture lies under the drawing until it is removed", () => visit({}, asy
   await page.locator("#picture-width").fill("42");
   assert.ok(Math.abs((await box())[0] / width - 42 / 84) < 0.01);
   await draw(page, ellipse);
-  await settled(page);
+  await offered(page);
   assert.equal(await page.locator(".underneath").count(), 1);
   await page.locator("#picture-away").click();
   assert.equal(await page.locator(".underneath").count(), 0);
@@ -217,14 +217,14 @@ test("a picture lies under the drawing until it is removed", () => visit({}, asy
 
 test("fixed pivots stand in the box that is drawn for them, by hand or by keys", () => visit({}, async (page) => {
   await draw(page, ellipse);
-  await settled(page);
+  await offered(page);
   const box = await page.locator("#sheet").boundingBox();
   await page.locator("#region").click();
   await page.mouse.move(box.x + 0.7 * box.width, box.y + 0.75 * box.height);
   await page.mouse.down();
   await page.mouse.move(box.x + 0.55 * box.width, box.y + 0.2 * box.height, { steps: 5 });
   await page.mouse.up();
-  await settled(page);
+  await offered(page);
   const bounds = () => page.url().match(/&b=([^&]+)/)[1].split(",").map(Number);
   const inside = () => {
     const [x0, y0, x1, y1] = bounds(), { a, d } = addressOf(page);
@@ -237,10 +237,10 @@ test("fixed pivots stand in the box that is drawn for them, by hand or by keys",
   await page.locator("#region").click();
   assert.ok(!page.url().includes("&b="));
   await page.keyboard.press("Control+z");
-  await settled(page);
+  await offered(page);
   inside();
   await visit({ hash: `#${page.url().split("#")[1]}` }, async (again) => {
-    await settled(again);
+    await offered(again);
     assert.ok(again.url().includes(page.url().match(/&b=[^&]+/)[0]));
   });
   await page.locator("#region").click();
@@ -248,12 +248,12 @@ test("fixed pivots stand in the box that is drawn for them, by hand or by keys",
   await page.keyboard.press("r");
   await page.locator("#sheet").focus();
   for (const key of ["Shift+ArrowLeft", "Enter", ...Array.from({ length: 6 }, () => "Shift+ArrowRight"), ...Array.from({ length: 5 }, () => "Shift+ArrowDown"), "Enter"]) await page.keyboard.press(key);
-  await settled(page);
+  await offered(page);
   inside();
   assert.deepEqual(addressOf(page).points, drawn);
   // The next stroke draws again.
   await draw(page, ellipse, [0.4, 3.6]);
-  await settled(page);
+  await offered(page);
   inside();
   assert.equal(await page.locator("#closed").getAttribute("aria-pressed"), "false");
 }));

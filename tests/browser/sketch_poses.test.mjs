@@ -1,7 +1,7 @@
 // The page of `cognate sketch`: poses are put, turned and moved, and linkages guide a body through them.
 import assert from "node:assert/strict";
 import { assertFits, distance, inTurn as test, some } from "./browser.mjs";
-import { addressOf, answered, couplerPose, facts, settled, targets, visit } from "./sketching.mjs";
+import { addressOf, answered, couplerPose, facts, offered, settled, targets, visit } from "./sketching.mjs";
 
 const RADIANS = Math.PI / 180;
 // By shares of the picture: where the body is, and how far the hand goes from there in its direction.
@@ -58,12 +58,12 @@ for (const [name, poses] of some([["two", FOUR.slice(0, 2)], ["four", FOUR], ["t
 
 test("a pose is moved and turned by hand and by keys, and every step undone", () => visit({}, async (page) => {
   await put(page, SIX);
-  await settled(page);
+  await offered(page);
   const drawn = addressOf(page).points;
   await page.locator('[data-turn="1"]').focus();
   await page.keyboard.press("Shift+ArrowLeft");
   await page.keyboard.press("ArrowRight");
-  await settled(page);
+  await offered(page);
   assert.equal(addressOf(page).points[1][2], drawn[1][2] + 9);
   const tip = await page.locator('[data-turn="4"]').boundingBox();
   await page.mouse.move(tip.x + tip.width / 2, tip.y + tip.height / 2);
@@ -75,7 +75,7 @@ test("a pose is moved and turned by hand and by keys, and every step undone", ()
   await page.mouse.down();
   await page.mouse.move(at.x - 10, at.y + 20, { steps: 6 });
   await page.mouse.up();
-  await settled(page);
+  await offered(page);
   const moved = addressOf(page);
   assert.notEqual(moved.points[4][2], drawn[4][2]);
   assert.notDeepEqual(moved.points[0].slice(0, 2), drawn[0].slice(0, 2));
@@ -85,13 +85,13 @@ test("a pose is moved and turned by hand and by keys, and every step undone", ()
   assert.equal(await targets(page), 5);
   assert.equal(await page.locator("[data-turn]").count(), 5);
   for (let i = 0; i < 5; ++i) await page.keyboard.press("Control+z");
-  await settled(page);
+  await offered(page);
   assert.deepEqual(addressOf(page).points, drawn);
 }));
 
 test("while a pose is dragged the designs follow", () => visit({}, async (page) => {
   await put(page, SIX);
-  await settled(page);
+  await offered(page);
   const before = await facts(page, "rms"), at = await page.locator('[data-target="2"]').boundingBox();
   await page.mouse.move(at.x + at.width / 2, at.y + at.height / 2);
   await page.mouse.down();
@@ -123,7 +123,7 @@ test("a design that was chosen follows a drag, also while a search still runs", 
   await page.mouse.move(again.x - 20, again.y + 10);
   await page.waitForFunction(() => /^[0-9]+ designs? after [^;]*\.$/.test(document.getElementById("state").textContent));
   await page.mouse.up();
-  await settled(page);
+  await offered(page);
   const design = addressOf(page);
   assert.ok(Math.max(...misses(design).map((one) => one.away)) <= design.max + 1e-6);
 }));

@@ -75,6 +75,8 @@ export async function draw(page, at, [from, to] = [0, 2 * Math.PI]) {
   await page.mouse.up();
 }
 
+// Until all searches for a drawing have ended, or the first has given designs.
+export const offered = (page) => page.waitForFunction(() => /designs? after /.test(document.getElementById("state").textContent));
 export const settled = (page) => page.waitForFunction(() => /designs? after [^;]*\.$/.test(document.getElementById("state").textContent));
 export const facts = (page, name) => page.locator(`[data-fact="${name}"]`).evaluateAll((all) => all.map((one) => JSON.parse(one.dataset.value)));
 export const targets = (page) => page.locator("[data-target]").count();
