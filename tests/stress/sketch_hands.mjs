@@ -22,7 +22,7 @@ async function through(page, places) {
   await page.mouse.up();
 }
 
-const KEYS = ["1", "2", "3", "c", "x", "p", "z", "y", " ", "Enter", "Delete", "Tab", "ArrowLeft", "Shift+ArrowUp", "Control+z", "Control+Shift+z", "Escape"];
+const KEYS = ["1", "2", "3", "c", "x", "p", "r", "z", "y", " ", "Enter", "Delete", "Tab", "ArrowLeft", "Shift+ArrowUp", "Control+z", "Control+Shift+z", "Escape"];
 
 // Each takes the page and a function from shares of the sheet to pixels.
 const DOES = {
@@ -71,6 +71,7 @@ for (let i = 1; i <= Number(actions) && !faults.length; ++i) {
   if (i % REST) continue;
   await rests(page);
   rested += 1;
+  console.error(`${i} of ${actions}`);
   designs += await page.locator(".design-card").count();
 }
 console.log(`${Object.entries(done).map(([name, count]) => `${count} ${name}`).join(", ")}; at rest ${rested} times, with ${designs} designs`);
