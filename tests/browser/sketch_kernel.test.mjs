@@ -48,7 +48,7 @@ test("what is no question is refused in a sentence", () => {
   for (const length of [0, -3, 1e300]) {
     const bad = [...row, 0, 10, 20, 30, 40, 50];
     bad[4] = length;
-    const { faults, status } = answer({ ...poses, known: [bad] });
-    assert.ok(faults?.length > 0 || ["solved", "infeasible", "no solution"].includes(status), `${length}: ${status}`);
+    const { faults, designs } = answer({ ...poses, known: [bad] });
+    assert.ok(faults?.length > 0 || designs.every(({ rms }) => Number.isFinite(rms)), `${length}`);
   }
 });

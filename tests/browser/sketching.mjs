@@ -36,7 +36,7 @@ export async function answered(command, text, ...options) {
 // What the search answers, by the program.
 async function programAnswer(problem) {
   const result = await answered("solve", problemToml(problem));
-  return { status: result.status, designs: result.designs.map(({ mechanism, crank_deg: cranks, error, metrics }) => ({ mechanism, crank_deg: cranks, rms: error.rms, max: error.max,
+  return { designs: result.designs.map(({ mechanism, crank_deg: cranks, error, metrics }) => ({ mechanism, crank_deg: cranks, rms: error.rms, max: error.max,
     class: metrics.class, transmission_acute_min_deg: metrics.transmission_angle_deg.acute_min, body_angle_deg: metrics.body_angle_in_link_deg, angle_max_deg: metrics.angle_error_max_deg })) };
 }
 

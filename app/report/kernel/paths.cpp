@@ -1,25 +1,21 @@
 /// @file The search for paths in a page.
+#include <iterator>
 #include <nlohmann/json.hpp>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include "app/report/kernel/answer.hpp"
 #include "app/report/kernel/sketched.hpp"
 #include "problems/linkage/read_constraints.hpp"
-#include "problems/linkage/read_linkage.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/path/explorer.hpp"
 #include "problems/path/found.hpp"
 #include "problems/path/problem.hpp"
 #include "problems/path/scale.hpp"
 #include "problems/path/search.hpp"
-#include "problems/toml/table_reader.hpp"
 
 namespace cognate::page {
 namespace {
 
-using json = nlohmann::ordered_json;
 using problems::Design;
 using problems::PathProblem;
 
@@ -29,18 +25,12 @@ constexpr int kIterations = 100;
 /// So many starts go on beyond the designs wanted.
 constexpr std::size_t kMore = 9;
 
-/// Points to be met in any timing, with what the file format has for limits; or what is wrong with
-/// them.
-Sketched<PathProblem> asked_path(const problems::reading::Table& document,
-                                 problems::reading::FaultList& faults) {
+/// Points to be met in any timing, with what the file format has for limits.
+std::size_t read_points(problems::reading::LinkageTables& tables, PathProblem& problem) {
   using namespace problems::reading;
-  TableReader reader(document, faults);
-  reader.know({"kind"});
-  LinkageTables tables(reader);
   auto& [target, mechanism, bounds, constraints, solve] = tables;
-  PathProblem problem;
   target.know({"timing", "order"});
-  if (!has_target(target, "points")) return {};
+  require_target(target, "points");
   const auto points =
       target.twos("points", kNumber, "[x, y]", {.min = 3, .max = kMostTargets, .of = "points"});
   for (const Two& point : points.value_or(std::vector<Two>{})) {
@@ -56,10 +46,7 @@ Sketched<PathProblem> asked_path(const problems::reading::Table& document,
                         problem.constraints);
   read_pivot_region(constraints, problem.given, problem.constraints);
   problem.solve = read_solve(solve, problem.constraints, false);
-  tables.finish();
-  auto known = read_known(reader, problem.points.size());
-  reader.finish();
-  return {std::move(problem), std::move(known)};
+  return problem.points.size();
 }
 
 Design design_of(const PathProblem& problem, const FourBar& linkage,
@@ -94,33 +81,30 @@ std::vector<problems::PathFound> minima(const PathProblem& scaled, problems::Run
   return std::move(search.all());
 }
 
-json solved(const PathProblem& problem, problems::Run run) {
+std::vector<Design> solved(const PathProblem& problem, problems::Run run) {
   const problems::PathScale scale(problem);
   const PathProblem scaled = scale.into(problem);
   for (Design& design : run.known) {
     design.mechanism.description = scale.into(four_bar(design));
   }
-  const auto all = minima(scaled, std::move(run));
-  json designs = json::array();
-  for (const problems::PathFound& found : all) {
+  std::vector<Design> designs;
+  for (const problems::PathFound& found : minima(scaled, std::move(run))) {
     const problems::PathMinimum& minimum = found.minimum;
     if (found.strays || minimum.solution.violation > problems::kPathFeasibility) continue;
-    if (designs.size() == static_cast<std::size_t>(problem.solve.designs)) break;
+    if (std::ssize(designs) == problem.solve.designs) break;
     const auto model = problems::model_of(scaled, minimum);
-    designs.push_back(sketched(design_of(problem, scale.out_of(model.linkage(minimum.solution.x)),
-                                         model.crank_angles(minimum.solution.x))));
+    designs.push_back(design_of(problem, scale.out_of(model.linkage(minimum.solution.x)),
+                                model.crank_angles(minimum.solution.x)));
   }
-  const char* status = !designs.empty() ? "solved" : all.empty() ? "no solution" : "infeasible";
-  return {{"status", status}, {"designs", std::move(designs)}};
+  return designs;
 }
 
 }  // namespace
 
-json sketched_paths(const SketchQuestion& question) {
-  problems::reading::FaultList faults;
-  auto [problem, known] = asked_path(question.document, faults);
-  if (!faults.empty()) return faults_json(std::move(faults));
-  return solved(problem, run_of(question, std::move(known)));
+nlohmann::ordered_json sketched_paths(const SketchQuestion& question) {
+  return answered<PathProblem>(question, read_points, [](const auto& problem, const auto& run) {
+    return solved(problem, run);
+  });
 }
 
 }  // namespace cognate::page

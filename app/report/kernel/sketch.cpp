@@ -25,8 +25,8 @@ std::string_view kind_of(const problems::reading::Table& document) {
 
 }  // namespace
 
-/// Solves the problem in the text and the block of numbers. The answer is `status` and `designs`,
-/// or `faults`, a list of sentences.
+/// Solves the problem in the text and the block of numbers. The answer is `designs`, or
+/// `faults`, a list of sentences.
 COGNATE_EXPORT(sketch) int sketch_text(int seed) {
   const auto document = document_of(question());
   const SketchQuestion asked{document, static_cast<std::uint64_t>(seed)};

@@ -27,12 +27,29 @@ json mechanism_of(const FourBar& linkage) {
           {"assembly", linkage.assembly == Assembly::open ? "open" : "crossed"}};
 }
 
+json entry_of(const Design& design) {
+  json angles = json::array();
+  for (const double angle : design.crank_angles) angles.push_back(problems::degrees(angle));
+  const auto& metrics = design.metrics;
+  json entry{{"mechanism", mechanism_of(four_bar(design))},
+             {"crank_deg", std::move(angles)},
+             {"rms", design.error.rms},
+             {"max", design.error.max},
+             {"class", metrics.mobility ? problems::to_string(*metrics.mobility) : ""},
+             {"transmission_acute_min_deg", problems::degrees(metrics.transmission_acute_min)}};
+  const auto body = find_quantity(metrics.quantities, problems::kBodyAngleKey);
+  const auto turned = find_quantity(metrics.quantities, problems::kAngleErrorKey);
+  if (body && turned) {
+    entry["body_angle_deg"] = problems::degrees(*body);
+    entry["angle_max_deg"] = problems::degrees(*turned);
+  }
+  return entry;
+}
+
 }  // namespace
 
-bool has_target(problems::reading::TableReader& target, std::string_view key) {
-  const bool has = target.has(key);
-  if (!has) target.fault(key, "is missing");
-  return has;
+void require_target(problems::reading::TableReader& target, std::string_view key) {
+  if (!target.has(key)) target.fault(key, "is missing");
 }
 
 std::vector<Design> read_known(problems::reading::TableReader& document, std::size_t targets) {
@@ -71,23 +88,10 @@ problems::Run run_of(const SketchQuestion& question, std::vector<Design> known) 
   return run;
 }
 
-json sketched(const Design& design) {
-  json angles = json::array();
-  for (const double angle : design.crank_angles) angles.push_back(problems::degrees(angle));
-  const auto& metrics = design.metrics;
-  json entry{{"mechanism", mechanism_of(four_bar(design))},
-             {"crank_deg", std::move(angles)},
-             {"rms", design.error.rms},
-             {"max", design.error.max},
-             {"class", metrics.mobility ? problems::to_string(*metrics.mobility) : ""},
-             {"transmission_acute_min_deg", problems::degrees(metrics.transmission_acute_min)}};
-  const auto body = find_quantity(metrics.quantities, problems::kBodyAngleKey);
-  const auto turned = find_quantity(metrics.quantities, problems::kAngleErrorKey);
-  if (body && turned) {
-    entry["body_angle_deg"] = problems::degrees(*body);
-    entry["angle_max_deg"] = problems::degrees(*turned);
-  }
-  return entry;
+json sketched(const std::vector<Design>& designs) {
+  json entries = json::array();
+  for (const Design& design : designs) entries.push_back(entry_of(design));
+  return {{"designs", std::move(entries)}};
 }
 
 }  // namespace cognate::page

@@ -5,8 +5,11 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "app/report/kernel/answer.hpp"
+#include "problems/linkage/read_linkage.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/toml/table_reader.hpp"
 
@@ -27,23 +30,34 @@ struct SketchQuestion {
 std::vector<problems::Design> read_known(problems::reading::TableReader& document,
                                          std::size_t targets);
 
-/// A problem, and designs with which its search begins.
-template <class Problem>
-struct Sketched {
-  Problem problem;
-  std::vector<problems::Design> known;
-};
-
 /// A search on the one thread of a page.
 problems::Run run_of(const SketchQuestion& question, std::vector<problems::Design> known);
 
-/// A design with its errors and what is measured of it.
-nlohmann::ordered_json sketched(const problems::Design& design);
+/// {"designs": each with its errors and what is measured of it}.
+nlohmann::ordered_json sketched(const std::vector<problems::Design>& designs);
 
-/// Whether a target is given: without one there is nothing to search for.
-bool has_target(problems::reading::TableReader& target, std::string_view key);
+/// Faults a target that is missing: there is nothing to search for.
+void require_target(problems::reading::TableReader& target, std::string_view key);
 
-/// The answers: `status` and `designs`, or `faults`, a list of sentences.
+/// The answer to a question. `read(tables, problem)` fills a problem from the tables and gives the
+/// number of its targets, `solve(problem, run)` gives designs.
+template <class Problem, class Read, class Solve>
+nlohmann::ordered_json answered(const SketchQuestion& question, const Read& read,
+                                const Solve& solve) {
+  problems::reading::FaultList faults;
+  problems::reading::TableReader reader(question.document, faults);
+  reader.know({"kind"});
+  problems::reading::LinkageTables tables(reader);
+  Problem problem;
+  const std::size_t targets = read(tables, problem);
+  tables.finish();
+  auto known = read_known(reader, targets);
+  reader.finish();
+  if (!faults.empty()) return faults_json(std::move(faults));
+  return sketched(solve(problem, run_of(question, std::move(known))));
+}
+
+/// The answers: `designs`, perhaps none, or `faults`, a list of sentences.
 nlohmann::ordered_json sketched_paths(const SketchQuestion& question);
 nlohmann::ordered_json sketched_motions(const SketchQuestion& question);
 

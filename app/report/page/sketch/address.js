@@ -44,7 +44,7 @@ export function readAddress(classes) {
   const [line, drawn] = (parts.o ?? "").split(",");
   if (![2, 3].includes(width) || !rows.every((row) => row.length === width && areFinite(row))) return null;
   const bounds = numbersOf(parts.b ?? "");
-  const [x0, y0, x1, y1] = bounds, region = bounds.length === 4 && areFinite(bounds) && x0 < x1 && y0 < y1 ? [[x0, y0], [x1, y1]] : null;
+  const [x0, y0, x1, y1] = bounds, region = bounds.length === 4 && areFinite(bounds) && x0 <= x1 && y0 <= y1 ? [[x0, y0], [x1, y1]] : null;
   const state = { region, points: rows.map((row) => row.slice(0, 2)), angles: width === 3 ? rows.map((row) => inTurn(row[2])) : null, closed: line === "closed", stroke: drawn === "stroke", ...(classes.includes(asked) ? { class: asked } : {}),
     ...(Number.isFinite(Number(least)) && least ? { least: Number(least) } : {}), ...(Number(reach) > 0 ? { reach: Number(reach) } : {}) };
   const entry = parts.d ? designOf(parts.d) : null;

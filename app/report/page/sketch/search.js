@@ -24,7 +24,8 @@ export class Search {
     return worker;
   }
 
-  // Answers the questions [{problem, known, …}] in turn, `known` being designs to begin with, perhaps none; what was asked before is given up.
+  // Answers the questions [{problem, known, …}] in turn, `known` being designs to begin with, if any; what was asked before
+  // is given up.
   async ask(questions) {
     this.cancel();
     this.waiting = questions.map((question) => ({ ...question, id: ++this.last }));
