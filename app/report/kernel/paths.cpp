@@ -61,7 +61,7 @@ Design design_of(const PathProblem& problem, const FourBar& linkage,
 
 /// Minima of a scaled problem near the best starts, as many as are requested and some more, which
 /// may prove to be the same.
-std::vector<problems::PathFound> minima(const PathProblem& scaled, problems::Run run) {
+std::vector<problems::PathFound> minima(const PathProblem& scaled, const problems::Run& run) {
   const problems::Deadline none(run);
   const std::size_t kept = kMore + static_cast<std::size_t>(scaled.solve.designs);
   problems::Work work;
@@ -88,7 +88,7 @@ std::vector<Design> solved(const PathProblem& problem, problems::Run run) {
     design.mechanism.description = scale.into(four_bar(design));
   }
   std::vector<Design> designs;
-  for (const problems::PathFound& found : minima(scaled, std::move(run))) {
+  for (const problems::PathFound& found : minima(scaled, run)) {
     const problems::PathMinimum& minimum = found.minimum;
     if (found.strays || minimum.solution.violation > problems::kPathFeasibility) continue;
     if (std::ssize(designs) == problem.solve.designs) break;
