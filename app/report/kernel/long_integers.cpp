@@ -3,7 +3,7 @@
 #include <cstdint>
 
 extern "C" {
-// NOLINTBEGIN(*-reserved-identifier, *-avoid-non-const-global-variables)
+// NOLINTBEGIN(*-reserved-identifier, *-identifier-naming, *-avoid-non-const-global-variables)
 std::uintptr_t __stack_chk_guard = 0x5bd1e995;
 
 [[noreturn]] void __stack_chk_fail() {
@@ -20,5 +20,5 @@ int __imported_wasi_snapshot_preview1_environ_get(int /*variables*/, int /*texts
 [[noreturn]] void __imported_wasi_snapshot_preview1_proc_exit(int /*status*/) {
   __builtin_trap();
 }
-// NOLINTEND(*-reserved-identifier, *-avoid-non-const-global-variables)
+// NOLINTEND(*-reserved-identifier, *-identifier-naming, *-avoid-non-const-global-variables)
 }
