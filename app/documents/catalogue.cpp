@@ -42,7 +42,10 @@ constexpr Metric kKindMetrics[] = {
     {"condition", "1", "condition number of an exact synthesis"},
     {"output_start", "length", "displacement at the start (functions by a slider-crank)"},
     {"link_ratio", "1", "longest over shortest link, if it is an objective"},
-    {"longest_link", "length", "of crank, coupler, rocker and frame, if size is an objective"},
+    {"longest_link", "length",
+     "of crank, coupler, rocker and frame (chains: of the crank and the links of the dyads), if "
+     "size is an objective"},
+    {"link_count", "1", "links of a chain, the frame among them, if their number is an objective"},
     {"transmission_NAME_min_deg", "deg",
      "minimum of the transmission angle and its supplement of the dyad whose joint is NAME "
      "(chains)"},

@@ -14,6 +14,14 @@ ChosenTargets::ChosenTargets(const ScaledChain& problem, std::size_t most) {
   for (std::size_t i = 0; i < count; ++i) which.push_back(i * last / steps);
 }
 
+std::vector<double> ChosenTargets::chosen(const ScaledChain& problem,
+                                          const std::vector<double>& angles) const {
+  if (problem.timed()) return angles;
+  std::vector<double> own;
+  for (const std::size_t one : which) own.push_back(angles[one]);
+  return own;
+}
+
 std::vector<double> ChosenTargets::at_all(const ScaledChain& problem,
                                           const std::vector<double>& angles) const {
   if (problem.timed() || which.size() == problem.points.size()) return angles;

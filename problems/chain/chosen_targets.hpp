@@ -13,6 +13,10 @@ struct ChosenTargets {
 
   ChosenTargets(const ScaledChain& problem, std::size_t most);
 
+  /// Of the crank angles at all points those at the chosen ones; of a timed path the phase as it
+  /// is.
+  std::vector<double> chosen(const ScaledChain& problem, const std::vector<double>& angles) const;
+
   /// Crank angles at all points from those at the chosen ones; of a timed path the phase as it is.
   std::vector<double> at_all(const ScaledChain& problem, const std::vector<double>& angles) const;
 };

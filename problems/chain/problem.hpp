@@ -32,6 +32,10 @@ struct ChainConstraints {
   std::optional<double> rms_error_max;
 };
 
+/// What the error of a chain is weighed against: the least transmission angle of its joints, its
+/// longest link, or the number of its links.
+enum class ChainMeasure { transmission_angle, size, links };
+
 /// `kind = "path-generation"` with a chain as its mechanism.
 struct ChainPathProblem {
   std::string title;
@@ -48,6 +52,7 @@ struct ChainPathProblem {
   std::vector<double> crank_angles;
   ChainConstraints constraints;
   Solve solve;
+  std::optional<ChainMeasure> against{};  ///< of a front; empty: the error alone counts
   WarningLimits warnings{};
   std::optional<Raster> raster{};  ///< of one topology
   std::optional<Tolerances> tolerances{};
@@ -74,5 +79,7 @@ Result solve(const ChainPathProblem& problem, const Run& run);
 
 template <>
 std::span<const Named<LimitSpan>> names<LimitSpan>();
+template <>
+std::span<const Named<ChainMeasure>> names<ChainMeasure>();
 
 }  // namespace cognate::problems

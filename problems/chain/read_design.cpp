@@ -16,6 +16,13 @@ namespace {
 constexpr double kQuarterTurn = 90;
 constexpr std::string_view kOutput = "output";
 
+/// Faults a key that is given; only now it is known, as messages offer the keys that are.
+void refuse(TableReader& table, std::string_view key, std::string_view why) {
+  if (!table.contains(key)) return;
+  table.know({key});
+  table.fault(key, why);
+}
+
 }  // namespace
 
 std::vector<Topology> read_topologies(TableReader& document, LinkageTables& tables,
@@ -97,24 +104,25 @@ void refuse_four_bar_limits(TableReader& constraints, std::string_view taken) {
   for (const std::string_view key :
        {"class", "link_ratio_max", "time_ratio", "pivot_region", "clearance", "no_branch_defect",
         "no_order_defect", "no_circuit_defect", "no_extra_loop"}) {
-    if (!constraints.contains(key)) continue;
-    constraints.know({key});  // only now: messages offer the keys that are known
-    constraints.fault(key,
-                      fmt::format("is a limit of four-bars; remove it: chains take {}", taken));
+    refuse(constraints, key,
+           fmt::format("is a limit of four-bars; remove it: chains take {}", taken));
   }
 }
 
 void read_chain_solve(TableReader& table, Solve& solve) {
   solve.starts = table.integer("starts", kStartCount.min, kStartCount.max);
   read_design_count(table, kMostSearchedDesigns, solve);
-  for (const std::string_view key : {"solver", "tolerance", "loss", "loss_scale", "certify",
-                                     "certify_gap", "objectives", "atlas"}) {
-    if (!table.contains(key)) continue;
-    table.know({key});
-    table.fault(key,
-                "is for four-bars alone; remove it: the search of a chain takes starts and "
-                "designs");
+  for (const std::string_view key :
+       {"solver", "tolerance", "loss", "loss_scale", "certify", "certify_gap", "atlas"}) {
+    refuse(table, key,
+           "is for four-bars alone; remove it: the search of a chain takes starts and designs");
   }
+}
+
+void refuse_objectives(TableReader& solve) {
+  refuse(solve, "objectives",
+         "is for four-bars and for paths of chains; remove it: the search takes starts and "
+         "designs");
 }
 
 void fault_chain_type(TableReader& document, TableReader& mechanism,

@@ -42,6 +42,9 @@ void refuse_four_bar_limits(TableReader& constraints, std::string_view taken);
 /// `[solve]`: starts and designs.
 void read_chain_solve(TableReader& table, Solve& solve);
 
+/// Faults `solve.objectives`, where a kind has no fronts.
+void refuse_objectives(TableReader& solve);
+
 /// Faults a `mechanism.type` that is none of `types`: of the rest of the file nothing can be said.
 void fault_chain_type(TableReader& document, TableReader& mechanism,
                       std::span<const std::string_view> types);

@@ -12,6 +12,7 @@
 #include "analysis/numbers/parallel.hpp"
 #include "analysis/numbers/random.hpp"
 #include "problems/chain/alignment.hpp"
+#include "problems/chain/between_targets.hpp"
 #include "problems/chain/chosen_targets.hpp"
 #include "problems/chain/draw.hpp"
 #include "problems/chain/refine.hpp"
@@ -111,7 +112,20 @@ class ChainExplorer {
         run_(run),
         targets_(problem),
         alignment_(problem),
-        search_({}, {run.threads, deadline, run.progress}) {}
+        search_({}, {run.threads, deadline, run.progress}) {
+    for (const std::size_t chosen : targets_.which)
+      fitted_points_.push_back(problem.points[chosen]);
+  }
+
+  /// Fits the designs of its topology and adds them.
+  void begin_with(const std::vector<ChainMinimum>& known) {
+    std::vector<ChainFitState> states;
+    for (const ChainMinimum& one : known) {
+      if (one.problem == &problem_)
+        states.push_back({one.design, targets_.chosen(problem_, one.angles)});
+    }
+    fit_and_add(std::move(states));
+  }
 
   void explore(const synthesis::StartRule& rule, synthesis::Shares shares) {
     search_.explore(rule, shares, [&](int first, int count) { round(first, count); });
@@ -151,12 +165,22 @@ class ChainExplorer {
     });
     drawn_ += states.size() * kDraws;
     std::erase_if(states, [](const ChainFitState& state) { return state.angles.empty(); });
+    fit_and_add(std::move(states));
+    if (best() < kNearlyMet && best() > kMetCost) refine_best();
+  }
+
+  void fit_and_add(std::vector<ChainFitState> states) {
     fit(states);
+    search_.for_each(states.size(), [&](std::size_t i) { states[i].cost += stray(states[i]); });
     std::vector<Candidate> fresh;
     for (ChainFitState& state : states) fresh.push_back({std::move(state)});
     search_.add(std::move(fresh), kSameChain);
     search_.keep(kKept);
-    if (best() < kNearlyMet && best() > kMetCost) refine_best();
+  }
+
+  double stray(const ChainFitState& state) const {
+    if (!std::isfinite(state.cost)) return 0;
+    return squared_stray(problem_, state.design, fitted_points_, state.angles);
   }
 
   /// An exact design is known as such by its refinement alone.
@@ -165,8 +189,7 @@ class ChainExplorer {
     const RefinedChain to =
         refine(problem_, refined.state.design, targets_.at_all(problem_, refined.state.angles),
                synthesis::Solver::gauss_newton, {});
-    const bool is_better = to.violation <= 0 && to.objective < refined.state.cost;
-    if (!is_better || to.objective > kMetCost) return;
+    if (to.violation > 0 || !(to.objective <= kMetCost)) return;
     refined.state.design = to.design;
     refined.state.cost = to.objective;
     search_.add({std::move(refined)}, 0);
@@ -240,6 +263,7 @@ class ChainExplorer {
   std::size_t number_;
   const Run& run_;
   FitTargets targets_;
+  std::vector<Vec2d> fitted_points_;
   AlignmentTarget alignment_;
   synthesis::MultiStart<ChainRules> search_;
   std::uint64_t drawn_ = 0;
@@ -280,17 +304,22 @@ void refine_all(std::vector<ChainMinimum>& designs, const Solve& options, const 
     work.solver_iterations += static_cast<std::uint64_t>(to.iterations);
     designs[i].design = to.design;
     designs[i].angles = to.angles;
-    designs[i].rms = std::sqrt(to.objective);
+    const auto& points = designs[i].problem->points;
+    const double stray = to.objective > kMetCost
+                             ? squared_stray(*designs[i].problem, to.design, points, to.angles)
+                             : 0;
+    designs[i].rms = std::sqrt(to.objective + stray);
   }
 }
 
 }  // namespace
 
 ChainSearchResult search_chains(const std::vector<ScaledChain>& problems, const Solve& options,
-                                const Run& run, const Deadline& deadline, Work& work) {
+                                const Run& run, const Deadline& deadline, Work& work,
+                                const std::vector<ChainMinimum>& known) {
   std::list<ChainExplorer> explorers;
   for (const ScaledChain& problem : problems) {
-    explorers.emplace_back(problem, explorers.size(), run, deadline);
+    explorers.emplace_back(problem, explorers.size(), run, deadline).begin_with(known);
   }
   const synthesis::StartRule rule = rule_of(options);
   if (problems.size() > 1 && !options.starts) {

@@ -15,7 +15,7 @@ struct ChainMinimum {
   const ScaledChain* problem = nullptr;
   synthesis::ChainDesign design;
   std::vector<double> angles;  ///< of the crank at the targets, radians
-  double rms = 0;              ///< distance from the targets, root mean square
+  double rms = 0;  ///< distance from the targets, and what strays between them, root mean square
 };
 
 struct ChainSearchResult {
@@ -24,8 +24,10 @@ struct ChainSearchResult {
 };
 
 /// Designs for `problems`, the same target with different topologies, which are searched in turns;
-/// those that stay far behind the best are given up.
+/// those that stay far behind the best are given up. `known`: designs of these problems from which
+/// the search begins too.
 ChainSearchResult search_chains(const std::vector<ScaledChain>& problems, const Solve& options,
-                                const Run& run, const Deadline& deadline, Work& work);
+                                const Run& run, const Deadline& deadline, Work& work,
+                                const std::vector<ChainMinimum>& known = {});
 
 }  // namespace cognate::problems

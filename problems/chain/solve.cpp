@@ -8,7 +8,9 @@
 #include "analysis/numbers/parallel.hpp"
 #include "problems/basics/quantity_key.hpp"
 #include "problems/chain/found_designs.hpp"
+#include "problems/chain/front.hpp"
 #include "problems/chain/given.hpp"
+#include "problems/chain/known_starts.hpp"
 #include "problems/chain/placed_starts.hpp"
 #include "problems/chain/problem.hpp"
 #include "problems/chain/raster/search.hpp"
@@ -201,16 +203,15 @@ Result take_given(const ChainPathProblem& problem, const Deadline& deadline) {
   return result;
 }
 
-/// The designs that the search finds, or those on the raster next to them.
-Result find_chains(const ChainPathProblem& problem, const std::vector<ScaledChain>& chains,
-                   const Run& run, const Deadline& deadline) {
-  if (is_given(problem)) return take_given(problem, deadline);
-  if (problem.solve.robust) return find_robust_chains(problem, chains, run, deadline);
+/// The designs of least error that the search finds, or those on the raster next to them.
+Result find_least_error(const ChainPathProblem& problem, const std::vector<ScaledChain>& chains,
+                        const Run& run, const Deadline& deadline) {
   const TargetScale scale(problem.points);
   const ChainPathProblem searched = problem.is_movable ? without_sizes(problem) : problem;
   Result result;
-  const ChainSearchResult found = search_chains(
-      chains, problem.solve, problem.raster ? between_values(run) : run, deadline, result.work);
+  const ChainSearchResult found =
+      search_chains(chains, problem.solve, problem.raster ? between_values(run) : run, deadline,
+                    result.work, known_starts(run.known, chains, scale));
   result.designs = designs_of(searched, scale, found.designs);
   result.status = status_of(result.designs, deadline);
   result.quantities = quantities(found.statistics);
@@ -222,6 +223,25 @@ Result find_chains(const ChainPathProblem& problem, const std::vector<ScaledChai
   return result;
 }
 
+/// The search of `problem` in units of its target, one for each topology.
+std::vector<ScaledChain> scaled_chains(const ChainPathProblem& problem) {
+  const TargetScale scale(problem.points);
+  std::vector<ScaledChain> chains;
+  for (const Topology& topology : problem.topologies) chains.emplace_back(problem, topology, scale);
+  return chains;
+}
+
+Result find_chains(const ChainPathProblem& problem, const std::vector<ScaledChain>& chains,
+                   const Run& run, const Deadline& deadline) {
+  if (is_given(problem)) return take_given(problem, deadline);
+  if (problem.solve.robust) return find_robust_chains(problem, chains, run, deadline);
+  if (!problem.against) return find_least_error(problem, chains, run, deadline);
+  return chain_front(problem, run, deadline,
+                     [](const ChainPathProblem& one, const Run& own, const Deadline& end) {
+                       return find_least_error(one, scaled_chains(one), own, end);
+                     });
+}
+
 }  // namespace
 
 Result solve(const ChainPathProblem& given, const Run& run) {
@@ -229,11 +249,8 @@ Result solve(const ChainPathProblem& given, const Run& run) {
   if (!valid) return refused<Result>(valid.error());
   const ChainPathProblem& problem = *valid;
   const Deadline deadline(run);
-  const TargetScale scale(problem.points);
   const ChainPathProblem searched = problem.is_movable ? without_sizes(problem) : problem;
-  std::vector<ScaledChain> chains;
-  for (const Topology& topology : searched.topologies)
-    chains.emplace_back(searched, topology, scale);
+  const std::vector<ScaledChain> chains = scaled_chains(searched);
   const auto source = is_given(problem) ? DesignSource::exact : DesignSource::search;
   Result result =
       solve_in_layers(problem, run, source, [&](const ChainPathProblem& one, const Run& own) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "analysis/numbers/constants.hpp"
 #include "synthesis/chain/bodies.hpp"
@@ -20,6 +21,7 @@ constexpr double kNearDead = 1 - 1e-4;
 struct ParameterScale {
   double origin, size;
   double into(double value) const { return (value - origin) / size; }
+  double out_of(double value) const { return origin + size * value; }
 };
 
 ParameterScale scale_of(const TargetScale& scale, ParameterRole role) {
@@ -33,6 +35,20 @@ ParameterScale scale_of(const TargetScale& scale, ParameterRole role) {
     default:
       return {0, scale.size};
   }
+}
+
+/// `design` with each of its parameters in the other unit.
+synthesis::ChainDesign converted(const TargetScale& scale, const synthesis::Chain& chain,
+                                 synthesis::ChainDesign design,
+                                 double (ParameterScale::*other)(double) const) {
+  for (const auto& [line, parameter] : placed_lines(chain)) {
+    for (int i = 0; i < synthesis::parameter_count(line.type); ++i) {
+      const ParameterScale own = scale_of(scale, parameter_role(line.type, i));
+      double& value = design.parameters[static_cast<std::size_t>(parameter + i)];
+      value = (own.*other)(value);
+    }
+  }
+  return design;
 }
 
 /// What a parameter without bounds may be. Directions may turn further than they can differ.
@@ -56,17 +72,14 @@ TargetScale::TargetScale(std::span<const Vec2d> points) {
   size = std::sqrt(square / double(points.size()));
 }
 
+synthesis::ChainDesign TargetScale::into(const synthesis::Chain& chain,
+                                         synthesis::ChainDesign design) const {
+  return converted(*this, chain, std::move(design), &ParameterScale::into);
+}
+
 synthesis::ChainDesign TargetScale::out_of(const synthesis::Chain& chain,
                                            synthesis::ChainDesign design) const {
-  for (const auto& [line, parameter] : placed_lines(chain)) {
-    for (int i = 0; i < synthesis::parameter_count(line.type); ++i) {
-      const ParameterScale own = scale_of(*this, parameter_role(line.type, i));
-      const int place = parameter + i;
-      double& value = design.parameters[static_cast<std::size_t>(place)];
-      value = own.origin + own.size * value;
-    }
-  }
-  return design;
+  return converted(*this, chain, std::move(design), &ParameterScale::out_of);
 }
 
 ChainSpace::ChainSpace(const Topology& of, const TargetScale& scale, const Range& transmission)

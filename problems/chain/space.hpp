@@ -21,6 +21,8 @@ struct TargetScale {
   explicit TargetScale(std::span<const Vec2d> points);
 
   Vec2d into(const Vec2d& point) const { return (1 / size) * (point - centre); }
+  /// A design in the unit of the search.
+  synthesis::ChainDesign into(const synthesis::Chain& chain, synthesis::ChainDesign design) const;
   /// A design back in the file's unit.
   synthesis::ChainDesign out_of(const synthesis::Chain& chain, synthesis::ChainDesign design) const;
 };

@@ -189,6 +189,10 @@ std::vector<std::vector<std::string>> links_of(std::span<const Topology> topolog
   return all;
 }
 
+int link_count(const Topology& topology) {
+  return 1 + static_cast<int>(links_of({&topology, 1}).front().size());
+}
+
 synthesis::Chain chain_of(const Topology& topology) {
   synthesis::Chain chain;
   for (const TopologyLine& point : topology.lines) chain.lines.push_back(point.line);

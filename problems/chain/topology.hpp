@@ -80,6 +80,9 @@ std::string guide_name(const std::string& pin);
 /// The names of the link from `first` to the pin of a slider, and of the slider.
 std::array<std::string, 2> slider_link_names(const std::string& first, const std::string& pin);
 
+/// The number of links, the frame among them.
+int link_count(const Topology& topology);
+
 /// The names of the links of each topology, without the frame.
 std::vector<std::vector<std::string>> links_of(std::span<const Topology> topologies);
 

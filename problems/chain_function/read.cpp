@@ -119,6 +119,7 @@ ChainFunctionProblem KindTraits<ChainFunctionProblem>::read(
   problem.topologies = read_topologies(document, tables, known, wanted_output(problem));
   read_constraints(tables.constraints, problem);
   read_chain_solve(tables.solve, problem.solve);
+  refuse_objectives(tables.solve);
   problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies));
   problem.tolerances =
       read_chain_tolerances(document, problem.topologies, slides(problem) ? "length" : "deg");

@@ -151,6 +151,7 @@ DwellProblem KindTraits<DwellProblem>::read(reading::TableReader& document,
   problem.topologies = read_topologies(document, tables, known, wanted_output(problem));
   read_dwell_constraints(tables.constraints, problem.constraints);
   read_chain_solve(tables.solve, problem.solve);
+  refuse_objectives(tables.solve);
   read_dwell_raster(document, problem);
   problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies));
   problem.tolerances =

@@ -76,6 +76,7 @@ LegProblem KindTraits<LegProblem>::read(reading::TableReader& document,
   refuse_four_bar_limits(tables.constraints,
                          "transmission_angle_deg, foot_speed_min and foot_speed_max");
   read_chain_solve(tables.solve, problem.solve);
+  refuse_objectives(tables.solve);
   problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies));
   problem.tolerances = read_chain_tolerances(document, problem.topologies, "length");
   for (TableReader* table :

@@ -197,7 +197,9 @@ void FrontSearch::look_before_first() {
 void FrontSearch::step(double first, double step, int count, double most) {
   for (int i = 0; i < count; ++i) {
     const double level = first + i * step;
-    auto point = solved(level, beside(level), i % 2 == 0);
+    const bool afresh = i % 2 == 0;
+    auto point = solved(level, beside(level), afresh);
+    if (!point && !afresh) point = solved(level, beside(level), true);
     if (!point || point->error > most) break;
     insert(*std::move(point));
   }

@@ -94,7 +94,8 @@ class FrontSearch {
   bool ended_by_error() const { return ended_by_error_; }
 
   /// Adds points whose levels lie in equal steps from `first` on, at most `count`, every second one
-  /// searched afresh, until nothing is found or the error exceeds `most`; then each is found again
+  /// and those that no design beside them leads to searched afresh, until nothing is found or the
+  /// error exceeds `most`; then each is found again
   /// from those beside it. Where errors fall by powers of ten an even row of levels shows more of a
   /// front than `fill` does.
   void step(double first, double step, int count, double most);

@@ -43,12 +43,21 @@ constexpr Entry kChain[] = {
     {"constraints.over",
      "where that holds: \"turn\" (default) of the crank, or \"range\", from the first to the last "
      "point"},
-    {"constraints.rms_error_max", "the most root mean square of the distances"}};
+    {"constraints.rms_error_max", "the most root mean square of the distances"},
+    {"solve.objectives",
+     "[\"error\", and one of \"transmission_angle\", \"size\", \"links\"]: a Pareto front; with "
+     "\"links\" and type = \"any\" the best chain of each number of links"}};
 
-constexpr QuantityColumn kChainQuantities[] = {{"topology", "topology"}};
+constexpr QuantityColumn kTopology{"topology", "topology"};
+constexpr QuantityColumn kChainQuantities[] = {kTopology};
+constexpr QuantityColumn kLinkQuantities[] = {{"link_count", "links"}, kTopology};
+constexpr QuantityColumn kSizeQuantities[] = {{"longest_link", "longest link [length]"}, kTopology};
 
-const Topology* only_topology(const ChainPathProblem& problem) {
-  return problem.topologies.size() == 1 ? &problem.topologies.front() : nullptr;
+std::span<const QuantityColumn> quantities_of(const ChainPathProblem& problem) {
+  if (problem.against == problems::ChainMeasure::links) return kLinkQuantities;
+  if (problem.against == problems::ChainMeasure::size) return kSizeQuantities;
+  if (problem.topologies.size() > 1) return kChainQuantities;
+  return {};
 }
 
 /// Every topology that files know by a word has one name for it.
@@ -88,9 +97,7 @@ std::string Kind<ChainPathProblem>::describe(const ChainPathProblem& problem) {
 }
 
 ColumnChoice Kind<ChainPathProblem>::columns(const ChainPathProblem& problem) {
-  ColumnChoice choice{.error_unit = "length"};
-  if (!only_topology(problem)) choice.quantities = kChainQuantities;
-  return choice;
+  return {.error_unit = "length", .quantities = quantities_of(problem)};
 }
 
 ordered_json Kind<ChainPathProblem>::target_json(const ChainPathProblem& problem) {

@@ -10,21 +10,22 @@ import { flatMetrics } from "./facts.js";
 const FRONT = { height: 260, left: 64, right: 18, top: 14, bottom: 44 };
 
 // Objectives that metrics hold under other names.
-const OBJECTIVE_METRICS = { transmission_angle: "transmission_angle_deg.acute_min", deviation: "deviation_relative", length: "straight_length", size: "size_over_length" };
+const OBJECTIVE_METRICS = { transmission_angle: ["transmission_angle_deg.acute_min"], deviation: ["deviation_relative"], length: ["straight_length"], links: ["link_count"], size: ["size_over_length", "longest_link"] };
+const COUNTS = ["links"];
 
 // The value of an objective that a design has, and its unit; null where it is not known.
 function objectiveOf(name, { error, metrics, mechanism }) {
   if (name === "error") return error.max_deg === undefined ? { value: error.rms, unit: LENGTH_UNIT ?? "" } : { value: error.rms_deg, unit: "°" };
   if (name === "link_ratio") return { value: linkRatio(mechanism), unit: "" };
   const known = flatMetrics(metrics);
-  const [key, value] = known.find(([metric]) => metric === (OBJECTIVE_METRICS[name] ?? name)) ?? known.find(([metric]) => metric.startsWith(name)) ?? [];
-  return typeof value === "number" ? { value, unit: /_deg(\.|$)/.test(key) ? "°" : name in OBJECTIVE_WORDS ? LENGTH_UNIT ?? "" : "" } : null;
+  const [key, value] = known.find(([metric]) => (OBJECTIVE_METRICS[name] ?? [name]).includes(metric)) ?? known.find(([metric]) => metric.startsWith(name)) ?? [];
+  return typeof value === "number" ? { value, unit: /_deg(\.|$)/.test(key) ? "°" : name in OBJECTIVE_WORDS && !COUNTS.includes(name) ? LENGTH_UNIT ?? "" : "" } : null;
 }
 
 // What the designs of a problem are traded off by: those of a robust one are judged by the nominal error and by that of what is made.
 export const frontObjectives = ({ objectives = [], robust } = {}) => (robust === undefined ? objectives : ["nominal_error", robust === "worst" ? "worst_case" : "quantile"]);
 
-const OBJECTIVE_WORDS = { error: "front.error", nominal_error: "front.nominal_error", quantile: "front.quantile", worst_case: "front.worst_case", transmission_angle: "qualities.least_acute" };
+const OBJECTIVE_WORDS = { error: "front.error", nominal_error: "front.nominal_error", quantile: "front.quantile", worst_case: "front.worst_case", transmission_angle: "qualities.least_acute", links: "front.links" };
 
 function linkRatio({ crank, coupler, rocker, fixed_pivots: pivots }) {
   const all = [crank, coupler, rocker, pivots && Math.hypot(pivots[1][0] - pivots[0][0], pivots[1][1] - pivots[0][1])];

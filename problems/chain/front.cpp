@@ -1,0 +1,250 @@
+#include "problems/chain/front.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/numbers/constants.hpp"
+#include "problems/chain/found_designs.hpp"
+#include "problems/chain/front_measures.hpp"
+#include "problems/chain/space.hpp"
+#include "problems/chain/verify.hpp"
+#include "problems/linkage/error_limit.hpp"
+#include "problems/linkage/verify.hpp"
+#include "synthesis/search/pareto_front.hpp"
+
+namespace cognate::problems {
+namespace {
+
+constexpr double kSameError = 1e-9;  ///< relative differences up to this are what fits leave open
+/// Of each search along a front but the first, which have the designs beside them to go on from.
+constexpr int kStartsAlong = 2048;
+constexpr int kMinimaAlong = 6;  ///< under each bound, from which its neighbours are begun
+constexpr int kMostSteps = 40;   ///< between the levels first looked at
+constexpr std::string_view kLinksColumn = "link_count";
+
+ChainPathProblem by_error_alone(const ChainPathProblem& problem) {
+  ChainPathProblem other = problem;
+  other.against.reset();
+  return other;
+}
+
+bool is_sound(const Result& found) {
+  return !found.designs.empty() && all_satisfied(found.designs.front().constraints);
+}
+
+/// The error of designs that meet the target to rounding.
+double met_error(const ChainPathProblem& problem) {
+  return kMetError * TargetScale(problem.points).size;
+}
+
+void add_work(const Work& done, Work& work) {
+  work.candidates += done.candidates;
+  work.positions += done.positions;
+  work.gradients += done.gradients;
+  work.solver_iterations += done.solver_iterations;
+}
+
+struct Point {
+  Design design;
+  double measure = 0;  ///< as tables say it
+};
+
+/// `points`: best error first. `nearest`: what was found where there is none.
+Result front_of(std::vector<Point> points, Result nearest, std::string_view column,
+                const Deadline& deadline) {
+  Result result = std::move(nearest);
+  result.quantities.clear();
+  Family family{"Pareto front",
+                {{std::string(column), {}}, {error_column(ErrorMeasure::rms_length), {}}}};
+  if (!points.empty()) result.designs.clear();
+  for (Point& point : points) {
+    family.columns[0].values.push_back(point.measure);
+    family.columns[1].values.push_back(point.design.error.rms);
+    result.designs.push_back(std::move(point.design));
+  }
+  if (!points.empty()) result.families = {std::move(family)};
+  result.status = status_of(result.designs, deadline);
+  return result;
+}
+
+/// The best design of each number of links.
+class LinkFront {
+ public:
+  LinkFront(const ChainPathProblem& problem, const Run& run, const Deadline& deadline,
+            const LeastError& solve)
+      : problem_(problem), run_(run), deadline_(deadline), solve_(solve) {
+    for (const Topology& topology : problem.topologies) {
+      const int links = link_count(topology);
+      by_count_[links].push_back(topology);
+      effort_ += effort_of(links);
+    }
+  }
+
+  Result result() && {
+    for (const auto& [links, topologies] : by_count_) {
+      const bool is_met =
+          !points_.empty() && points_.front().design.error.rms <= met_error(problem_);
+      if (is_met || deadline_.reached()) break;
+      search(links, topologies);
+    }
+    nearest_.work = work_;
+    Result result = front_of(std::move(points_), std::move(nearest_), kLinksColumn, deadline_);
+    if (is_cut_short_ && result.status != Status::interrupted) result.status = Status::time_limit;
+    result.quantities = {{"problems_solved", double(searched_)}};
+    for (std::string& note : notes_) result.notes.push_back(std::move(note));
+    return result;
+  }
+
+ private:
+  /// What the search of a topology takes, relative to others: steps of as many dimensions as lines,
+  /// each over as many lines.
+  static double effort_of(int links) { return double(links) * double(links); }
+
+  /// In an equal share of the time that is left.
+  void search(int links, const std::vector<Topology>& topologies) {
+    ChainPathProblem own = by_error_alone(problem_);
+    own.topologies = topologies;
+    const double left = double(by_count_.size()) - double(searched_++);
+    const double from = done_ / effort_;
+    done_ += effort_of(links) * double(topologies.size());
+    Run part = part_of(run_, from, done_ / effort_);
+    if (run_.time_limit) part.time_limit = deadline_.remaining() / left;
+    Result found = solve_(own, part, Deadline(part));
+    add_work(found.work, work_);
+    is_cut_short_ = is_cut_short_ || found.status == Status::time_limit;
+    if (is_sound(found)) {
+      take(links, std::move(found.designs.front()));
+    } else if (points_.empty()) {
+      nearest_ = std::move(found);
+    }
+  }
+
+  /// More links are worth their price where they come nearer.
+  void take(int links, Design design) {
+    const double most = points_.empty() ? kInfinity : points_.front().design.error.rms;
+    if (design.error.rms < (1 - kSameError) * most) {
+      design.metrics.quantities.push_back({std::string(kLinksColumn), double(links)});
+      points_.insert(points_.begin(), {std::move(design), double(links)});
+    } else {
+      notes_.push_back(
+          fmt::format("No chain of {} links was found that comes nearer than one of "
+                      "fewer.",
+                      links));
+    }
+  }
+
+  const ChainPathProblem& problem_;
+  const Run& run_;
+  const Deadline& deadline_;
+  const LeastError& solve_;
+  std::map<int, std::vector<Topology>> by_count_;
+  std::vector<Point> points_;  ///< best error, most links first
+  std::vector<std::string> notes_;
+  Result nearest_;
+  Work work_;
+  double effort_ = 0, done_ = 0;
+  int searched_ = 0;
+  bool is_cut_short_ = false;
+};
+
+/// The front of a measure that has any value, by a row of bounds.
+class BoundedFront {
+ public:
+  BoundedFront(const ChainPathProblem& problem, const Run& run, const Deadline& deadline,
+               const LeastError& solve)
+      : problem_(problem),
+        rule_(rule_of(*problem.against)),
+        run_(run),
+        deadline_(deadline),
+        solve_(solve) {}
+
+  Result result() && {
+    run_.enter(Phase::front, kUnknownEnd);
+    const synthesis::FrontProblem front{
+        rule_.levels(), met_error(problem_),
+        [this](std::optional<double> bound, const std::vector<std::size_t>& known,
+               std::optional<std::uint64_t> seed) { return solve(bound, known, seed); }};
+    synthesis::FrontSearch search(front, {run_.seed, deadline_, run_.progress});
+    search.begin();
+    if (!search.points().empty()) {
+      const double first = search.points().front().level;
+      search.step(first + rule_.step, rule_.step, kMostSteps, TargetScale(problem_.points).size);
+      search.fill(problem_.solve.designs);
+    }
+    std::vector<Point> points;
+    for (const auto& point : search.points()) {
+      Design& design = all_[point.design().number];
+      check_own_limit(design);
+      points.push_back({std::move(design), rule_.shown(point.design().value)});
+    }
+    Result result = front_of(std::move(points), std::move(first_), rule_.column, deadline_);
+    result.work = work_;
+    result.quantities = {{"problems_solved", double(search.searches())}};
+    return result;
+  }
+
+ private:
+  std::optional<std::vector<synthesis::FrontDesign>> solve(std::optional<double> bound,
+                                                           const std::vector<std::size_t>& known,
+                                                           std::optional<std::uint64_t> seed) {
+    ChainPathProblem own = by_error_alone(problem_);
+    own.solve.designs = kMinimaAlong;
+    if (bound && !rule_.limit(own, *bound)) return std::nullopt;
+    if (!known.empty() && !own.solve.starts) own.solve.starts = kStartsAlong;
+    if (!seed) own.solve.starts = 0;
+    Run part = silent(run_);
+    part.seed = seed.value_or(run_.seed);
+    for (const std::size_t one : known) part.known.push_back(all_[one]);
+    Result found = solve_(own, part, deadline_);
+    add_work(found.work, work_);
+    const bool is_first = all_.empty();
+    std::vector<synthesis::FrontDesign> designs;
+    if (is_sound(found) && (is_first || !deadline_.reached())) {
+      for (const Design& design : found.designs) {
+        designs.push_back({all_.size(), rule_.value(problem_, design), design.error.rms});
+        all_.push_back(design);
+      }
+    }
+    if (is_first) first_ = std::move(found);
+    return designs;
+  }
+
+  /// The limit of the file in place of that of the search.
+  void check_own_limit(Design& design) const {
+    if (rule_.measure != ChainMeasure::transmission_angle) {
+      design.metrics.quantities.push_back(
+          {std::string(rule_.column), rule_.value(problem_, design)});
+      return;
+    }
+    std::erase_if(design.constraints, [](const ConstraintCheck& check) {
+      return check.name == "transmission_angle_deg";
+    });
+    check_transmission(problem_.constraints.transmission_angle, design);
+  }
+
+  const ChainPathProblem& problem_;
+  const ChainMeasureRule& rule_;
+  const Run& run_;
+  const Deadline& deadline_;
+  const LeastError& solve_;
+  std::vector<Design> all_;
+  Result first_;
+  Work work_;
+};
+
+}  // namespace
+
+Result chain_front(const ChainPathProblem& problem, const Run& run, const Deadline& deadline,
+                   const LeastError& solve) {
+  if (problem.against == ChainMeasure::links) {
+    return LinkFront(problem, run, deadline, solve).result();
+  }
+  return BoundedFront(problem, run, deadline, solve).result();
+}
+
+}  // namespace cognate::problems

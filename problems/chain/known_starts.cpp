@@ -1,0 +1,56 @@
+#include "problems/chain/known_starts.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "analysis/numbers/angle.hpp"
+#include "problems/basics/quantity_key.hpp"
+
+namespace cognate::problems {
+namespace {
+
+/// Radians by which angles in order may seem to step back.
+constexpr double kStepBack = 1e-6;
+
+/// Angles of one turn, which stand for themselves plus whole turns, as they follow each other
+/// counter-clockwise (`sense` 1) or clockwise (−1).
+std::vector<double> in_sense(const std::vector<double>& angles, double sense) {
+  std::vector<double> all{angles.front()};
+  for (std::size_t i = 1; i < angles.size(); ++i) {
+    const double step = in_one_turn(sense * (angles[i] - angles[i - 1]) + kStepBack) - kStepBack;
+    all.push_back(all.back() + sense * step);
+  }
+  return all;
+}
+
+/// In the sense in which they take the shorter way.
+std::vector<double> unrolled(const std::vector<double>& angles) {
+  auto forward = in_sense(angles, 1), backward = in_sense(angles, -1);
+  const auto way = [](const std::vector<double>& all) {
+    return std::abs(all.back() - all.front());
+  };
+  return way(forward) <= way(backward) ? forward : backward;
+}
+
+}  // namespace
+
+std::vector<ChainMinimum> known_starts(const std::vector<Design>& known,
+                                       const std::vector<ScaledChain>& chains,
+                                       const TargetScale& scale) {
+  std::vector<ChainMinimum> starts;
+  for (const Design& design : known) {
+    const auto name =
+        find_quantity(design.metrics.quantities, QuantityKey<std::string>{"topology"});
+    const auto chain = std::ranges::find(chains, name.value_or(""),
+                                         [](const ScaledChain& one) { return one.topology->name; });
+    if (chain == chains.end() || design.crank_angles.size() != chain->points.size()) continue;
+    std::vector<double> angles = unrolled(design.crank_angles);
+    if (chain->timed()) angles = {angles.front() - chain->crank_angles.front()};
+    const auto dimensions_known = dimensions(*chain->topology, design.mechanism);
+    starts.push_back({&*chain, within_bounds(*chain, scale.into(chain->chain, dimensions_known)),
+                      std::move(angles), design.error.rms / scale.size});
+  }
+  return starts;
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,136 @@
+"""Fronts of chains: the error against the number of links, the transmission angle, or the size.
+
+Every design is computed again by the closure of chain_test.py. Run as: chain_front_test.py PROGRAM.
+"""
+
+import json
+import math
+import pathlib
+import random
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from chain_test import STEPHENSON_A, STEPHENSON_B, Chain, turn  # noqa: E402
+from written_files import command, solved  # noqa: E402
+
+FILE = """kind = "path-generation"
+[target]
+points = {points}
+closed = true
+[mechanism]
+type = "{type}"
+[bounds]
+length = [0.2, 12]
+pivots = [[-12, -12], [12, 12]]
+point = [[-12, -12], [12, 12]]
+[constraints]
+transmission_angle_deg = [{least}, {greatest}]
+[solve]
+objectives = ["error", "{against}"]
+{more}
+"""
+
+
+def file_of(points, kind, against, least=30, more=""):
+    return FILE.format(points=[[z.real, z.imag] for z in points], type=kind, against=against, least=least,
+                       greatest=180 - least, more=more)
+
+
+def noisy(points, seed, share):
+    """The points moved at random by a share of their size."""
+    generator = random.Random(seed)
+    size = max(abs(a - b) for a in points for b in points)
+    return [z + share * size * complex(generator.gauss(0, 1), generator.gauss(0, 1)) for z in points]
+
+
+def front_of(result):
+    (family,) = result["families"]
+    return [column["values"] for column in family["columns"]]
+
+
+class ChainFronts(unittest.TestCase):
+    def check_errors(self, result, points):
+        """The error of each design is that of its closure, and the front's."""
+        errors = front_of(result)[1]
+        self.assertEqual(len(errors), len(result["designs"]))
+        for design, error in zip(result["designs"], errors):
+            chain = Chain(design["mechanism"])
+            reached = chain.path("P", [math.radians(angle) for angle in design["crank_deg"]])
+            rms = math.sqrt(sum(abs(a - b) ** 2 for a, b in zip(reached, points)) / len(points))
+            self.assertAlmostEqual(rms, error, delta=1e-6 * abs(points[0]) + 1e-6 * error)
+            self.assertEqual(design["error"]["rms"], error)
+            self.assertTrue(all(check["satisfied"] for check in design["constraints"]))
+
+    def check_is_front(self, measures, errors, greatest_is_best):
+        """Along a front what gets better in one gets worse in the other."""
+        for a, b in zip(range(len(errors)), range(1, len(errors))):
+            self.assertLess(errors[a], errors[b])
+            better = measures[b] > measures[a] if greatest_is_best else measures[b] < measures[a]
+            self.assertTrue(better, (measures, errors))
+
+    def test_a_six_bar_is_worth_its_links_and_an_eight_bar_is_not(self):
+        points = STEPHENSON_A.path("P", turn(60))
+        result = solved(file_of(points, "any", "links"))
+        links, errors = front_of(result)
+        self.assertEqual(links, [6, 4])
+        self.check_is_front(links, errors, False)
+        self.check_errors(result, points)
+        self.assertLess(errors[0], 1e-8)
+        self.assertGreater(errors[1], 1e-3)
+        self.assertEqual([design["metrics"]["link_count"] for design in result["designs"]], links)
+        for design, count in zip(result["designs"], links):
+            self.assertEqual(2 + 2 * len(design["mechanism"]["dyad"]), count)
+
+    def test_better_transmission_costs_error(self):
+        points = noisy(STEPHENSON_B.path("P", turn(24)), 5, 0.003)
+        result = solved(file_of(points, "stephenson-3", "transmission_angle", 20,
+                                         "designs = 5\nstarts = 512"))
+        angles, errors = front_of(result)
+        self.assertGreaterEqual(len(errors), 4)
+        self.check_is_front(angles, errors, True)
+        self.check_errors(result, points)
+        for design, angle in zip(result["designs"], angles):
+            chain = Chain(design["mechanism"])
+            least = min(chain.transmission(chain.places(crank)) for crank in turn(3600))
+            self.assertAlmostEqual(least, angle, delta=0.01)
+            self.assertGreaterEqual(angle, 20 - 1e-6)
+
+    def test_smaller_chains_have_greater_errors(self):
+        points = noisy(STEPHENSON_B.path("P", turn(24)), 6, 0.003)
+        result = solved(file_of(points, "watt-1", "size", 30, "designs = 4\nstarts = 512"))
+        sizes, errors = front_of(result)
+        self.assertGreaterEqual(len(errors), 3)
+        self.check_is_front(sizes, errors, False)
+        self.check_errors(result, points)
+        for design, size in zip(result["designs"], sizes):
+            lengths = [design["mechanism"]["crank"]["length"]]
+            lengths += [length for dyad in design["mechanism"]["dyad"] for length in dyad["lengths"]]
+            self.assertAlmostEqual(max(lengths), size, delta=1e-9 * size)
+            self.assertEqual(design["metrics"]["longest_link"], size)
+
+    def test_no_design_of_a_front_is_worse_than_the_error_allowed(self):
+        points = noisy(STEPHENSON_B.path("P", turn(24)), 7, 0.003)
+        text = file_of(points, "stephenson-3", "transmission_angle", 20, "designs = 4\nstarts = 512")
+        whole = solved(text)
+        most = front_of(whole)[1][-2]
+        limited = solved(text.replace("[constraints]", f"[constraints]\nrms_error_max = {most}"))
+        self.assertLessEqual(max(front_of(limited)[1]), most * (1 + 1e-9))
+
+    def test_the_same_seed_gives_the_same_front_for_any_threads(self):
+        points = noisy(STEPHENSON_B.path("P", turn(16)), 8, 0.01)
+        text = file_of(points, "stephenson-3", "transmission_angle", 30, "designs = 3\nstarts = 256")
+        one, three = (json.loads(command(text, "solve", "--json", "--quiet", "--threads", threads).stdout)
+                      for threads in ("1", "3"))
+        self.assertEqual(front_of(one), front_of(three))
+
+    def test_time_is_shared_among_the_numbers_of_links(self):
+        points = noisy(STEPHENSON_B.path("P", turn(36)), 9, 0.02)
+        done = command(file_of(points, "any", "links"), "solve", "--json", "--quiet", "--time-limit", "3")
+        result = json.loads(done.stdout)
+        self.assertIn(result["status"], ("solved", "time-limit"))
+        self.assertGreaterEqual(len(front_of(result)[0]), 2)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
