@@ -18,12 +18,12 @@ struct Outcome {
 // Each minimises `model`, which has at least one unknown and a value at its start.
 Outcome minimise_with_ceres(DenseModel& model, const Options& options);
 Outcome minimise_with_ipopt(DenseModel& model, const Options& options);
-/// slsqp, mma, ccsaq, cobyla or bobyqa: descends from the start.
+/// One of NLopt that descends from the start.
 Outcome minimise_with_nlopt(Solver solver, DenseModel& model, const Options& options);
 
-/// A global search (ags, isres, crs, mlsl or direct) and descents from the best that it found:
-/// where there are constraints, the best that nearly met them and the best by the search's own
-/// measure. If the start is still better, a descent from there.
+/// A global search and descents from the best that it found: where there are constraints, the best
+/// that nearly met them and the best by the search's own measure. If the start is still better, a
+/// descent from there.
 Solution search_globally(Solver solver, const Model& model, std::span<const double> start,
                          const Options& options);
 

@@ -231,7 +231,7 @@ class ExportLinkages(ExportedLinkages):
             ((*parts, "--hole", ".1", "--width", ".2", "--gap", "-1"), "--gap: '-1'"),
             (("--format", "csv", "--parts", "--hole", ".1", "--width", ".2"), "--parts: are drawn"),
             ((*dxf, "--thickness", "3"), "--thickness: is that of parts; expected --parts"),
-            ((*dxf, "--steps", "9"), "expected --format csv or json"),
+            ((*dxf, "--steps", "9"), "expected --format csv"),
             (("--format", "csv", "--position", "9"), "--position: is that of a drawing"),
             ((*dxf, "--position", "east"), "--position: 'east' is not possible"),
             ((*dxf, "--chord-tolerance", "1e9"), "--chord-tolerance: 1000000000 is not possible"),

@@ -39,7 +39,8 @@ class StudioTest(Studios):
         names = [each for each in json.loads(re.search(
             r'id="data">(.*?)</script>', studio.ask("/")[2])[1])["templates"]]
         kinds = [each["name"] for each in names if each["name"].startswith("new/")]
-        self.assertEqual(len(kinds), 12)
+        listed = json.loads(subprocess.run([PROGRAM, "list", "--json"], capture_output=True, text=True).stdout)
+        self.assertEqual({f"new/{kind['name']}" for kind in listed["problem_kinds"]}, {*kinds, "new/study"})
         self.assertGreater(len(names), 60)
         for name in some(kinds):
             with self.subTest(name):

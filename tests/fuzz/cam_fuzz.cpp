@@ -1,7 +1,7 @@
 // libFuzzer on the design of cams: any file that is read is solved, its numbers are
 // finite, and the curves of its cams can be drawn.
 //
-//   build/fuzz/tests/fuzz/cam_fuzz -dict=tests/fuzz/read.dict -max_len=2000 CORPUS
+//   build/fuzz/tests/fuzz/cam_fuzz -dict=build/fuzz/read.dict -max_len=2000 CORPUS
 //       problems/library/cam
 
 #include <cstddef>

@@ -3,7 +3,8 @@
 //
 //   cmake -B build/fuzz -G Ninja -DCMAKE_CXX_COMPILER=clang++-19 -DCOGNATE_BUILD_FUZZERS=ON
 //   cmake --build build/fuzz --target read_fuzz
-//   build/fuzz/tests/fuzz/read_fuzz -dict=tests/fuzz/read.dict CORPUS problems/library/path
+//   tests/fuzz/dictionary.py build/release/app/cognate > build/fuzz/read.dict
+//   build/fuzz/tests/fuzz/read_fuzz -dict=build/fuzz/read.dict CORPUS problems/library/path
 //       problems/library/function problems/library/analysis
 //       problems/library/cam problems/library/machine problems/library/gear
 //       problems/library/gear-pair problems/library/gear-train

@@ -2,7 +2,7 @@
 // and a text, or one to a hundred faults. The base is that of the library.
 //
 //   cmake --build build/fuzz --target study_fuzz
-//   cd problems/library/study && .../study_fuzz -dict=.../tests/fuzz/read.dict CORPUS .
+//   cd problems/library/study && .../study_fuzz -dict=.../build/fuzz/read.dict CORPUS .
 
 #include <cmath>
 #include <cstddef>

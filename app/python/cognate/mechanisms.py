@@ -247,15 +247,8 @@ class Chain(Mechanism):
 
 
 _CLASSES["chain"] = Chain
-FourBar = _CLASSES["four-bar"]
-SliderCrank = _CLASSES["slider-crank"]
-FixedBlock = _CLASSES["fixed-block"]
-GuideBar = _CLASSES["guide-bar"]
-OscillatingBlock = _CLASSES["oscillating-block"]
-ScotchYoke = _CLASSES["scotch-yoke"]
-TangentGenerator = _CLASSES["tangent-generator"]
-EllipticTrammel = _CLASSES["elliptic-trammel"]
-OldhamCoupling = _CLASSES["oldham-coupling"]
+# Each under its name, as the stub lists them.
+globals().update({made.__name__: made for made in _CLASSES.values()})
 
 
 def mechanism_of(tables: abc.Mapping[str, Any]) -> Mechanism:
@@ -271,5 +264,4 @@ def mechanism_of(tables: abc.Mapping[str, Any]) -> Mechanism:
     return made(**keys)
 
 
-__all__ = ["Mechanism", "mechanism_of", "Chain",
-           *sorted(made.__name__ for made in _CLASSES.values() if made is not Chain)]
+__all__ = ["Mechanism", "mechanism_of", *sorted(made.__name__ for made in _CLASSES.values())]

@@ -156,8 +156,13 @@ set(problem_reader
   problems/toml/nearest.cpp
   problems/toml/table_reader.cpp
   problems/toml/table_reader_arrays.cpp)
+# All types of mechanisms, as the library lists them: a module keeps of them what it calls.
+get_target_property(linkages cognate_analysis SOURCES)
+list(FILTER linkages INCLUDE REGEX "^linkage/")
+list(TRANSFORM linkages PREPEND "analysis/")
 # What reads, moves and draws a mechanism with its masses and loads.
 set(mechanism_evaluator
+  ${linkages}
   analysis/mechanism/assembly_fault.cpp
   analysis/mechanism/assembly_probe.cpp
   analysis/mechanism/assembly_ranges.cpp
@@ -212,18 +217,6 @@ set(analysis_evaluator
   analysis/coupler_curve/pole.cpp
   analysis/coupler_curve/sampled_segment.cpp
   analysis/coupler_curve/stationary_curvature.cpp
-  analysis/linkage/change_point.cpp
-  analysis/linkage/cognates.cpp
-  analysis/linkage/double_slider.cpp
-  analysis/linkage/double_slider_travel.cpp
-  analysis/linkage/four_bar.cpp
-  analysis/linkage/frame_axes.cpp
-  analysis/linkage/guide_bar.cpp
-  analysis/linkage/guide_bar_mobility.cpp
-  analysis/linkage/mobility.cpp
-  analysis/linkage/motion.cpp
-  analysis/linkage/slider_crank.cpp
-  analysis/linkage/slider_crank_mobility.cpp
   analysis/mechanism/gait.cpp
   analysis/mechanism/transmission_extremes.cpp
   analysis/numbers/chebyshev_series.cpp

@@ -3,10 +3,6 @@ block(PROPAGATE COGNATE_MACHINE_KERNEL)
 set(COGNATE_MACHINE_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/machine_kernel.base64")
 list(APPEND wasm_flags -DBOOST_NO_CXX98_FUNCTION_BASE)
 cognate_page_kernel(machine_kernel ${problem_reader} ${mechanism_evaluator}
-  analysis/linkage/double_slider.cpp
-  analysis/linkage/four_bar.cpp
-  analysis/linkage/guide_bar.cpp
-  analysis/linkage/slider_crank.cpp
   analysis/machine/adaptive_steps.cpp
   analysis/machine/cycle.cpp
   analysis/machine/excess_work.cpp

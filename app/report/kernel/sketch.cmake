@@ -2,16 +2,7 @@
 set(COGNATE_SKETCH_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/sketch_kernel.base64")
 cognate_page_kernel(sketch_kernel
   analysis/batch/instruction_set.cpp
-  analysis/linkage/change_point.cpp
-  analysis/linkage/defects.cpp
-  analysis/linkage/four_bar.cpp
-  analysis/linkage/frame_axes.cpp
-  analysis/linkage/mobility.cpp
-  analysis/linkage/motion.cpp
-  analysis/linkage/motion_within.cpp
-  analysis/linkage/double_slider.cpp
-  analysis/linkage/guide_bar.cpp
-  analysis/linkage/slider_crank.cpp
+  ${linkages}
   analysis/mechanism/inverse_dynamics.cpp
   analysis/mechanism/joint_balance.cpp
   analysis/mechanism/kinematics.cpp
