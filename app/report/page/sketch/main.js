@@ -16,6 +16,7 @@ import { Bringings } from "./bringings.js";
 import { Candidate, differing, nearestTo, withoutNoise } from "./candidate.js";
 import { Cards } from "./cards.js";
 import { clearCosts, costQuestions, showCost } from "./costs.js";
+import { FrontPanel } from "./front_panel.js";
 import { directionOf } from "./posed.js";
 import { CLASSES_ASKED, fewestTargets, liveQuestion, questionsOf, drawingSize } from "./question.js";
 import { SketchScene } from "./scene.js";
@@ -34,6 +35,7 @@ const controls = new Controls((seconds) => goTo(scene.phase / RADIANS + controls
 controls.player.pace = 120;
 const cards = new Cards((i) => choose(i));
 const takings = new Takings(() => ({ state: shown, candidate: scene.candidates[scene.chosen] }));
+const panel = new FrontPanel({ point: lookAt, take: (candidate, least) => { steps.push({ ...steps.present, least }); hold(candidate); keepAddress(); } });
 const search = Kernel.available ? new Search(take, (text) => announce(say("sketch.failed", { text }))) : null;
 const surface = new Surface(byId("picture"), () => scene.view, { begin: () => search?.cancel(), resume: () => solve(), box: bound, stroke, click, drag, turn, drop, remove });
 const read = readAddress(CLASSES_ASKED);
@@ -61,6 +63,7 @@ function offer(candidates, chosen) {
   Object.assign(scene, { candidates, chosen });
   draw();
   cards.show(candidates, chosen, drawingSize(shown));
+  panel.show(candidates[chosen]);
   followTakings();
 }
 
@@ -74,19 +77,36 @@ function choose(i) {
   keepAddress();
 }
 
-// An answer of the search; those of the longer ones replace the designs where they are better.
+// A design that is only looked at; null where none is.
+function lookAt(candidate) {
+  scene.looked = candidate;
+  draw();
+}
+
+// An answer of the search.
 function take(answer, question) {
-  const { live, first, last, limit } = question;
-  if (limit) { showCost(answer, question, shown, leastError()); return; }
+  if (question.limit) { showCost(answer, question, shown, leastError()); return; }
   const found = (answer.designs ?? []).map((entry) => new Candidate(entry));
+  if (question.front) takeOfFront(found); else takeFound(answer, found, question);
+}
+
+function takeOfFront(found) {
+  panel.front.take(found);
+  panel.show(scene.candidates[scene.chosen]);
+  if (!panel.front.ended) search.ask([panel.front.question]);
+}
+
+// Designs of the longer searches replace those before where they are better.
+function takeFound(answer, found, { live, first, last }) {
   const before = first ? [] : scene.candidates;
-  const candidates = differing([...found, ...before], SHOWN, drawingSize(shown), held);
+  if (!live) panel.front.add(found);
+  const candidates = differing([...(live ? found : panel.front.within), ...before], SHOWN, drawingSize(shown), held);
   const chosen = scene.candidates[scene.chosen];
   offer(candidates, Math.max(0, live && chosen ? nearestTo(candidates, chosen) : candidates.indexOf(held)));
   if (!live && scene.candidates.length) widen();
   announce(answer.faults ? answer.faults.map((fault) => sentence(sentenceOf(fault))).join(" ") : stateText(last, live));
   if (!live) keepAddress();
-  if (last && !live && !answer.faults && leastError() > 0) search.ask(costQuestions(shown));
+  if (last && !live && !answer.faults) search.ask([...(leastError() > 0 ? costQuestions(shown) : []), ...(panel.front.ended ? [] : [panel.front.question])]);
 }
 
 const leastError = () => Math.min(Infinity, ...scene.candidates.map(({ entry }) => withoutNoise(entry.rms, drawingSize(shown))));
@@ -103,6 +123,7 @@ function widen() { if (scene.include(scene.candidates[scene.chosen].places)) dra
 function solve(live = false) {
   begun = performance.now();
   clearCosts();
+  panel.follow(search && isEnough() && !live ? shown : null);
   if (!search || !isEnough()) return;
   if (live) { search.askNewest(liveQuestion(shown, [...new Set([...scene.candidates, ...dragged])])); return; }
   announce(say("sketch.searching"));
@@ -297,12 +318,17 @@ function openAddress() {
   open(other.entry);
 }
 
-// Begins with the design of the address, if any, which stays until the points change.
+// Begins with the design of the address, if any.
 function open(entry) {
+  const first = entry ? new Candidate(entry) : null;
+  hold(first?.poses.length ? first : null);
+}
+
+// Shows the present state with a design, if any, which stays until the points change.
+function hold(candidate) {
   shown = steps.present;
   search?.cancel();
-  const first = entry ? new Candidate(entry) : null;
-  held = first?.poses.length ? first : null;
+  held = candidate;
   dragged = null;
   if (held || isEnough()) offer(held ? [held] : [], 0); else askForMore();
   showState();

@@ -70,6 +70,9 @@ export function liveQuestion(state, candidates) {
   return { problem: problemOf(state, { starts: known.length ? besideKnown(state) : startsOf(state)[0], designs: FOUND }), known, live: true, first: true, last: true };
 }
 
+// The question from designs that were found for other limits: of a search of middle length, or of as good as none besides.
+export const questionFrom = (state, candidates, fresh) => ({ problem: problemOf(state, { starts: fresh ? LATER[0] : besideKnown(state), designs: FOUND }), known: knownOf(state, candidates) });
+
 // One question, of a search of middle length.
 export const questionFor = (state) => ({ problem: problemOf(state, { starts: LATER[0], designs: FOUND }) });
 

@@ -1,0 +1,105 @@
+// The plot of a front: error over minimum transmission angle, its points to look at and to take.
+
+import { byId, set, svg } from "../dom.js";
+import { number } from "../format.js";
+import { pathThrough, round } from "../shapes.js";
+import { say } from "../words.js";
+import { angleScale, errorScale } from "./front_scales.js";
+
+const HEIGHT = 210;
+const FRAME = { left: 58, right: 12, top: 10, bottom: 40 };
+const ARROWS = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, Home: -Infinity, End: Infinity };
+
+export class FrontPlot {
+  // `on.point(point)`: the one looked at, null where none is; `on.take(point)`; `textOf(point)` says its values.
+  constructor(on, textOf) {
+    Object.assign(this, { on, textOf, holder: byId("front-plot"), front: { points: [] }, hinted: null, circles: [] });
+    this.holder.addEventListener("pointermove", (event) => this.#hint(this.#nearest(event)));
+    this.holder.addEventListener("pointerleave", () => this.#hint(this.#focused));
+    this.holder.addEventListener("click", (event) => this.#take(this.#nearest(event)));
+    this.holder.addEventListener("focusin", () => this.#hint(this.#focused));
+    this.holder.addEventListener("focusout", () => this.#hint(null));
+    this.holder.addEventListener("keydown", (event) => this.#key(event));
+    new ResizeObserver(() => this.#draw()).observe(this.holder);
+  }
+
+  // `points`; the design `chosen` and `least`, the present bound; both may be none.
+  show(front) {
+    this.front = front;
+    this.#draw();
+  }
+
+  get #focused() { return this.front.points[this.circles.indexOf(document.activeElement)] ?? null; }
+
+  #draw() {
+    const { points } = this.front, width = this.holder.clientWidth;
+    const focused = this.#focused;
+    this.circles = [];
+    if (points.length && width) this.#build(points, width); else this.holder.replaceChildren();
+    if (focused) this.circles[points.indexOf(points.find(({ level }) => level >= focused.level) ?? points.at(-1))]?.focus();
+    this.#hint(points.find(({ candidate }) => candidate === this.hinted?.candidate) ?? null);
+  }
+
+  #build(points, width) {
+    const { chosen, least } = this.front, [bottom, right] = [HEIGHT - FRAME.bottom, width - FRAME.right];
+    const all = chosen && !points.some(({ candidate }) => candidate === chosen.candidate) ? [...points, chosen] : points;
+    const x = angleScale([FRAME.left, right]), y = errorScale(all.map(({ error }) => error), [bottom, FRAME.top]);
+    this.places = all.map(({ angle, error }) => [x.to(angle), y.to(error)].map(round));
+    this.circles = points.map((point, i) => this.#circle(point, this.places[i]));
+    this.holder.replaceChildren(svg("svg", { viewBox: `0 0 ${width} ${HEIGHT}`, width, height: HEIGHT, role: "group", "aria-labelledby": "front-title" },
+      ...this.#axes(x, y, bottom, right), ...(least > 0 ? [svg("path", { class: "front-bound", d: `M${round(x.to(least))} ${FRAME.top}V${bottom}` })] : []),
+      svg("path", { class: "front-line", d: pathThrough(this.places.slice(0, points.length)) }),
+      ...(all.length > points.length ? [svg("circle", { class: "front-apart", cx: this.places.at(-1)[0], cy: this.places.at(-1)[1], r: 5 })] : []), ...this.circles));
+    this.#reachable(this.#chosenOrFirst());
+  }
+
+  #axes(x, y, bottom, right) {
+    const text = (name, at, anchor, value) => svg("text", { class: name, "text-anchor": anchor, ...at }, value);
+    return [...x.ticks.flatMap((v) => [svg("path", { class: "grid", d: `M${round(x.to(v))} ${FRAME.top}V${bottom}` }), text("tick", { x: round(x.to(v)), y: bottom + 15 }, "middle", `${v}°`)]),
+      ...y.ticks.flatMap((v) => [svg("path", { class: "grid", d: `M${FRAME.left} ${round(y.to(v))}H${right}` }), text("tick", { x: FRAME.left - 6, y: round(y.to(v)) + 4 }, "end", number(v, 4))]),
+      text("axis", { x: (FRAME.left + right) / 2, y: HEIGHT - 6 }, "middle", say("sketch.transmission")),
+      text("axis", { transform: `translate(12 ${(bottom + FRAME.top) / 2}) rotate(-90)` }, "middle", say("sketch.front_error"))];
+  }
+
+  #circle(point, [cx, cy]) {
+    const isChosen = point.candidate === this.front.chosen?.candidate;
+    return svg("circle", { class: "front-point", cx, cy, r: isChosen ? 6.5 : 5, role: "button", "aria-pressed": String(isChosen), "aria-label": this.textOf(point), "data-level": point.level });
+  }
+
+  #chosenOrFirst() { return Math.max(0, this.front.points.findIndex(({ candidate }) => candidate === this.front.chosen?.candidate)); }
+
+  // One of the points is in the order of the Tab key; arrows go on from it.
+  #reachable(i) { this.circles.forEach((circle, k) => set(circle, { tabindex: k === i ? 0 : -1 })); }
+
+  #nearest(event) {
+    const { points } = this.front, box = this.holder.getBoundingClientRect();
+    const far = points.map((_, i) => Math.hypot(this.places[i][0] - event.clientX + box.left, this.places[i][1] - event.clientY + box.top));
+    return points[far.indexOf(Math.min(...far))] ?? null;
+  }
+
+  #hint(point) {
+    this.circles.forEach((circle, i) => circle.classList.toggle("hinted", this.front.points[i] === point));
+    if (point?.candidate === this.hinted?.candidate) return;
+    this.hinted = point;
+    this.on.point(point);
+  }
+
+  #take(point) {
+    if (!point) return;
+    this.on.take(point);
+    this.circles[this.#chosenOrFirst()]?.focus({ preventScroll: true });
+  }
+
+  #key(event) {
+    if (event.ctrlKey || event.altKey || event.metaKey || !this.#focused) return;
+    const step = ARROWS[event.key], at = this.circles.indexOf(document.activeElement), last = this.circles.length - 1;
+    if (step) {
+      const next = Math.min(last, Math.max(0, at + step));
+      this.#reachable(next);
+      this.circles[next].focus();
+    } else if (["Enter", " "].includes(event.key)) this.#take(this.#focused);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+}
