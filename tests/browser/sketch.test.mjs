@@ -2,7 +2,8 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import { assertFits, distance, inTurn as test, moves, open, some } from "./browser.mjs";
-import { addressOf, answered, browser, couplerPose, draw, facts, file, hasKernel, offered, settled, targets, visit } from "./sketching.mjs";
+import { couplerPose } from "./closures.mjs";
+import { addressOf, answered, browser, draw, facts, file, hasKernel, offered, settled, targets, visit } from "./sketching.mjs";
 
 const ellipse = (t) => [0.5 + 0.16 * Math.cos(t), 0.45 - 0.2 * Math.sin(t)];
 

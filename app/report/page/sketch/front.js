@@ -31,9 +31,13 @@ export class Front {
     this.pool.push(...candidates.filter((one) => one.poses.length > 1 && one.entry.rms < this.size));
   }
 
-  get ended() { return this.done === SEARCHES.length; }
+  // Whether every level has been looked at, so that what there is has the shape of a front.
+  get stands() { return this.done >= LEVELS.length; }
 
-  // The next question, until all have been answered.
+  // Nothing is better than no error at the greatest bound.
+  get ended() { return this.done === SEARCHES.length || (this.stands && this.points.some(({ level, error }) => level === LEVELS.at(-1) && error === 0)); }
+
+  // The next question, until it has ended.
   get question() {
     const { i, fresh } = SEARCHES[this.done];
     const neighbours = [i - 1, i, i + 1].map((k) => this.#best(LEVELS[k])).filter(Boolean);
@@ -50,12 +54,11 @@ export class Front {
   #error({ entry }) { return withoutNoise(entry.rms, this.size); }
 
   #best(level) {
-    const within = this.pool.filter((one) => angleOf(one) >= level - ANGLE_ROUNDING);
-    return within.sort((a, b) => this.#error(a) - this.#error(b) || angleOf(b) - angleOf(a))[0];
+    return this.within(level).sort((a, b) => this.#error(a) - this.#error(b) || angleOf(b) - angleOf(a))[0];
   }
 
-  // Those within the bound of the present state.
-  get within() { return this.pool.filter((one) => angleOf(one) >= this.state.least - ANGLE_ROUNDING); }
+  // The designs within a bound.
+  within(least) { return this.pool.filter((one) => angleOf(one) >= least - ANGLE_ROUNDING); }
 
   // A design by what the axes are of.
   pointOf(candidate) { return { candidate, angle: angleOf(candidate), error: this.#error(candidate) }; }

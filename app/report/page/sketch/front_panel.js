@@ -26,7 +26,7 @@ export class FrontPanel {
   // With the design chosen, if any.
   show(chosen) {
     this.chosen = chosen;
-    const points = this.state ? this.front.points : [], isPlotted = points.length > 1;
+    const points = this.state && this.front.stands ? this.front.points : [], isPlotted = points.length > 1;
     byId("front-plot").hidden = byId("front-reading").hidden = !isPlotted;
     byId("front-note").textContent = isPlotted ? say(this.front.ended ? "sketch.front_hint" : "sketch.front_going_on") : this.#without(points);
     this.plot.show({ points: isPlotted ? points : [], chosen: isPlotted && chosen ? this.front.pointOf(chosen) : null, least: this.state?.least });
@@ -36,7 +36,7 @@ export class FrontPanel {
   // Why there is no plot.
   #without([only]) {
     if (!this.state || !this.front.ended) return say("sketch.front_waits");
-    return only ? say("sketch.front_one", { angle: degrees(only.angle, 1), error: this.#errorOf(only) }) : say("sketch.front_none", { least: degrees(this.front.least, 0) });
+    return only ? say("sketch.front_one", { angle: degrees(only.angle, 1), error: this.#errorOf(only), least: degrees(only.level, 0) }) : say("sketch.front_none", { least: degrees(this.front.least, 0) });
   }
 
   #errorOf({ error }) { return rmsText(error, this.front.size); }

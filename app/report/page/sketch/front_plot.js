@@ -8,10 +8,11 @@ import { angleScale, errorScale } from "./front_scales.js";
 
 const HEIGHT = 210;
 const FRAME = { left: 58, right: 12, top: 10, bottom: 40 };
+const SAME_ANGLE = 0.05, SAME_ERROR = 5e-3;   // degrees, and a share: the marks of two would lie on one another
 const ARROWS = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, Home: -Infinity, End: Infinity };
 
 export class FrontPlot {
-  // `on.point(point)`: the one looked at, null where none is; `on.take(point)`; `textOf(point)` says its values.
+  // `on.point(point)`: the one looked at, null where none is or the design chosen; `on.take(point)`; `textOf(point)` says its values.
   constructor(on, textOf) {
     Object.assign(this, { on, textOf, holder: byId("front-plot"), front: { points: [] }, hinted: null, circles: [] });
     this.holder.addEventListener("pointermove", (event) => this.#hint(this.#nearest(event)));
@@ -37,12 +38,12 @@ export class FrontPlot {
     this.circles = [];
     if (points.length && width) this.#build(points, width); else this.holder.replaceChildren();
     if (focused) this.circles[points.indexOf(points.find(({ level }) => level >= focused.level) ?? points.at(-1))]?.focus();
-    this.#hint(points.find(({ candidate }) => candidate === this.hinted?.candidate) ?? null);
+    this.#hint(points.find(({ level }) => level === this.hinted?.level) ?? null);
   }
 
   #build(points, width) {
     const { chosen, least } = this.front, [bottom, right] = [HEIGHT - FRAME.bottom, width - FRAME.right];
-    const all = chosen && !points.some(({ candidate }) => candidate === chosen.candidate) ? [...points, chosen] : points;
+    const all = chosen && !points.some((point) => this.#isChosen(point)) ? [...points, chosen] : points;
     const x = angleScale([FRAME.left, right]), y = errorScale(all.map(({ error }) => error), [bottom, FRAME.top]);
     this.places = all.map(({ angle, error }) => [x.to(angle), y.to(error)].map(round));
     this.circles = points.map((point, i) => this.#circle(point, this.places[i]));
@@ -62,11 +63,17 @@ export class FrontPlot {
   }
 
   #circle(point, [cx, cy]) {
-    const isChosen = point.candidate === this.front.chosen?.candidate;
-    return svg("circle", { class: "front-point", cx, cy, r: isChosen ? 6.5 : 5, role: "button", "aria-pressed": String(isChosen), "aria-label": this.textOf(point), "data-level": point.level });
+    const isChosen = this.#isChosen(point);
+    return svg("circle", { class: "front-point", cx, cy, r: isChosen ? 6.5 : 5, role: "button", "aria-pressed": String(isChosen), "aria-label": this.textOf(point), "data-level": point.level, "data-angle": point.angle, "data-error": point.error });
   }
 
-  #chosenOrFirst() { return Math.max(0, this.front.points.findIndex(({ candidate }) => candidate === this.front.chosen?.candidate)); }
+  // Searches find a design more than once, with other last digits.
+  #isChosen({ angle, error }) {
+    const { chosen } = this.front;
+    return Boolean(chosen) && Math.abs(angle - chosen.angle) < SAME_ANGLE && Math.abs(error - chosen.error) <= SAME_ERROR * error;
+  }
+
+  #chosenOrFirst() { return Math.max(0, this.front.points.findIndex((point) => this.#isChosen(point))); }
 
   // One of the points is in the order of the Tab key; arrows go on from it.
   #reachable(i) { this.circles.forEach((circle, k) => set(circle, { tabindex: k === i ? 0 : -1 })); }
@@ -79,9 +86,8 @@ export class FrontPlot {
 
   #hint(point) {
     this.circles.forEach((circle, i) => circle.classList.toggle("hinted", this.front.points[i] === point));
-    if (point?.candidate === this.hinted?.candidate) return;
     this.hinted = point;
-    this.on.point(point);
+    this.on.point(point && !this.#isChosen(point) ? point : null);
   }
 
   #take(point) {

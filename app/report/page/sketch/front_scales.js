@@ -3,7 +3,7 @@
 const WIDE = 12;         // ratio of errors from which on their scale is logarithmic
 const ROOM = 1.25;       // beside the least and the greatest on it
 const LINE = 28;         // pixels from tick to tick upwards
-const TICK = 34;         // and across
+const TICK = 28;         // and across
 
 const between = (share, [from, to]) => from + (to - from) * share;
 

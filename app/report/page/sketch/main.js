@@ -35,7 +35,7 @@ const controls = new Controls((seconds) => goTo(scene.phase / RADIANS + controls
 controls.player.pace = 120;
 const cards = new Cards((i) => choose(i));
 const takings = new Takings(() => ({ state: shown, candidate: scene.candidates[scene.chosen] }));
-const panel = new FrontPanel({ point: lookAt, take: (candidate, least) => { steps.push({ ...steps.present, least }); hold(candidate); keepAddress(); } });
+const panel = new FrontPanel({ point: lookAt, take: takePoint });
 const search = Kernel.available ? new Search(take, (text) => announce(say("sketch.failed", { text }))) : null;
 const surface = new Surface(byId("picture"), () => scene.view, { begin: () => search?.cancel(), resume: () => solve(), box: bound, stroke, click, drag, turn, drop, remove });
 const read = readAddress(CLASSES_ASKED);
@@ -79,6 +79,7 @@ function choose(i) {
 
 // A design that is only looked at; null where none is.
 function lookAt(candidate) {
+  if (candidate === scene.looked) return;
   scene.looked = candidate;
   draw();
 }
@@ -88,6 +89,13 @@ function take(answer, question) {
   if (question.limit) { showCost(answer, question, shown, leastError()); return; }
   const found = (answer.designs ?? []).map((entry) => new Candidate(entry));
   if (question.front) takeOfFront(found); else takeFound(answer, found, question);
+}
+
+// A design of the front, with the bound that it is the best for.
+function takePoint(candidate, least) {
+  steps.push({ ...steps.present, least });
+  hold(candidate, panel.front.within(least));
+  keepAddress();
 }
 
 function takeOfFront(found) {
@@ -100,7 +108,7 @@ function takeOfFront(found) {
 function takeFound(answer, found, { live, first, last }) {
   const before = first ? [] : scene.candidates;
   if (!live) panel.front.add(found);
-  const candidates = differing([...(live ? found : panel.front.within), ...before], SHOWN, drawingSize(shown), held);
+  const candidates = differing([...(live ? found : panel.front.within(shown.least)), ...before], SHOWN, drawingSize(shown), held);
   const chosen = scene.candidates[scene.chosen];
   offer(candidates, Math.max(0, live && chosen ? nearestTo(candidates, chosen) : candidates.indexOf(held)));
   if (!live && scene.candidates.length) widen();
@@ -324,13 +332,14 @@ function open(entry) {
   hold(first?.poses.length ? first : null);
 }
 
-// Shows the present state with a design, if any, which stays until the points change.
-function hold(candidate) {
+// Shows the present state with a design, if any, which stays until the points change, and others.
+function hold(candidate, others = []) {
   shown = steps.present;
   search?.cancel();
   held = candidate;
   dragged = null;
-  if (held || isEnough()) offer(held ? [held] : [], 0); else askForMore();
+  const candidates = held ? differing([held, ...others], SHOWN, drawingSize(shown), held) : [];
+  if (held || isEnough()) offer(candidates, Math.max(0, candidates.indexOf(held))); else askForMore();
   showState();
   if (held) widen();
   solve();

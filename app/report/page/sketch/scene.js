@@ -19,17 +19,17 @@ export class SketchScene extends Picture {
 
   build() {
     this.clear(SHEET);
-    const { candidates, chosen, view } = this;
+    const { candidates, chosen, looked, view } = this;
     const line = (points) => pathThrough(points.map((p) => view.screen(p)));
     this.region = svg("rect", { class: "sketch-region", id: "pivot-region" });
     this.drawn = svg("path", { class: "sketch-line" });
     this.spots = svg("g");
     this.ghosts = candidates.map((one, i) => (i === chosen ? null : this.#ghost(one, `sketch-${i}`, line)));
-    this.lookedAt = this.looked && this.looked !== candidates[chosen] ? this.#ghost(this.looked, "looked-at", line) : null;
+    this.lookedAt = looked && this.#ghost(looked, "looked-at", line);
     this.root.append(...(this.picture ? [this.#underneath(this.picture)] : []), this.region, this.scaleBar(), this.drawn, ...this.ghosts.filter(Boolean).map(({ root }) => root));
     this.parts = candidates[chosen] ? this.#linkage(candidates[chosen], line) : null;
     if (this.parts) this.root.append(this.parts.root);
-    this.root.append(...(this.lookedAt ? [this.lookedAt.root] : []), this.spots);
+    this.root.append(...(looked ? [this.lookedAt.root] : []), this.spots);
     this.target(this.targets);
     this.move(this.phase);
   }
