@@ -11,8 +11,8 @@ export class FrontPanel {
   // `on.point(candidate)`: the one to look at, null where none is; `on.take(candidate, level)`: chosen, for that bound.
   constructor(on) {
     this.front = new Front();
-    this.plot = new FrontPlot({ point: (point) => { this.#read(point); on.point(point?.candidate ?? null); }, take: ({ candidate, level }) => on.take(candidate, level) },
-      (point) => this.#textOf(point));
+    const point = (looked) => { this.#read(looked); on.point(looked?.candidate ?? null); };
+    this.plot = new FrontPlot({ point, take: ({ candidate, level }) => on.take(candidate, level) }, (one) => this.#textOf(one));
   }
 
   // Of a state at rest; null of one that has no front yet, or changes under the hand.
@@ -36,7 +36,8 @@ export class FrontPanel {
   // Why there is no plot.
   #without([only]) {
     if (!this.state || !this.front.ended) return say("sketch.front_waits");
-    return only ? say("sketch.front_one", { angle: degrees(only.angle, 1), error: this.#errorOf(only), least: degrees(only.level, 0) }) : say("sketch.front_none", { least: degrees(this.front.least, 0) });
+    if (!only) return say("sketch.front_none", { least: degrees(this.front.least, 0) });
+    return say("sketch.front_one", { angle: degrees(only.angle, 1), error: this.#errorOf(only), least: degrees(only.level, 0) });
   }
 
   #errorOf({ error }) { return rmsText(error, this.front.size); }

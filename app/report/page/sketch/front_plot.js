@@ -14,7 +14,7 @@ const ARROWS = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, Home: 
 export class FrontPlot {
   // `on.point(point)`: the one looked at, null where none is or the design chosen; `on.take(point)`; `textOf(point)` says its values.
   constructor(on, textOf) {
-    Object.assign(this, { on, textOf, holder: byId("front-plot"), front: { points: [] }, hinted: null, circles: [] });
+    Object.assign(this, { on, textOf, holder: byId("front-plot"), front: { points: [] }, hinted: null, drawn: [], circles: [] });
     this.holder.addEventListener("pointermove", (event) => this.#hint(this.#nearest(event)));
     this.holder.addEventListener("pointerleave", () => this.#hint(this.#focused));
     this.holder.addEventListener("click", (event) => this.#take(this.#nearest(event)));
@@ -30,15 +30,15 @@ export class FrontPlot {
     this.#draw();
   }
 
-  get #focused() { return this.front.points[this.circles.indexOf(document.activeElement)] ?? null; }
+  get #focused() { return this.drawn[this.circles.indexOf(document.activeElement)] ?? null; }
 
+  // Focus and hint stay where the hand is.
   #draw() {
-    const { points } = this.front, width = this.holder.clientWidth;
-    const focused = this.#focused;
-    this.circles = [];
+    const { points } = this.front, width = this.holder.clientWidth, { hinted } = this, focused = this.#focused;
+    Object.assign(this, { drawn: points, circles: [] });
     if (points.length && width) this.#build(points, width); else this.holder.replaceChildren();
-    if (focused) this.circles[points.indexOf(points.find(({ level }) => level >= focused.level) ?? points.at(-1))]?.focus();
-    this.#hint(points.find(({ level }) => level === this.hinted?.level) ?? null);
+    if (focused) this.circles[points.indexOf(points.find(({ level }) => level >= focused.level) ?? points.at(-1))]?.focus({ preventScroll: true });
+    this.#hint(points.find(({ level }) => level === hinted?.level) ?? null);
   }
 
   #build(points, width) {
@@ -47,24 +47,27 @@ export class FrontPlot {
     const x = angleScale([FRAME.left, right]), y = errorScale(all.map(({ error }) => error), [bottom, FRAME.top]);
     this.places = all.map(({ angle, error }) => [x.to(angle), y.to(error)].map(round));
     this.circles = points.map((point, i) => this.#circle(point, this.places[i]));
-    this.holder.replaceChildren(svg("svg", { viewBox: `0 0 ${width} ${HEIGHT}`, width, height: HEIGHT, role: "group", "aria-labelledby": "front-title" },
-      ...this.#axes(x, y, bottom, right), ...(least > 0 ? [svg("path", { class: "front-bound", d: `M${round(x.to(least))} ${FRAME.top}V${bottom}` })] : []),
-      svg("path", { class: "front-line", d: pathThrough(this.places.slice(0, points.length)) }),
-      ...(all.length > points.length ? [svg("circle", { class: "front-apart", cx: this.places.at(-1)[0], cy: this.places.at(-1)[1], r: 5 })] : []), ...this.circles));
+    const bound = least > 0 ? [svg("path", { class: "front-bound", d: `M${round(x.to(least))} ${FRAME.top}V${bottom}` })] : [];
+    const line = svg("path", { class: "front-line", d: pathThrough(this.places.slice(0, points.length)) });
+    const apart = this.places.slice(points.length).map(([cx, cy]) => svg("circle", { class: "front-apart", cx, cy, r: 5 }));
+    const look = { viewBox: `0 0 ${width} ${HEIGHT}`, width, height: HEIGHT, role: "group", "aria-labelledby": "front-title" };
+    this.holder.replaceChildren(svg("svg", look, ...this.#axes(x, y, bottom, right), ...bound, line, ...apart, ...this.circles));
     this.#reachable(this.#chosenOrFirst());
   }
 
   #axes(x, y, bottom, right) {
     const text = (name, at, anchor, value) => svg("text", { class: name, "text-anchor": anchor, ...at }, value);
-    return [...x.ticks.flatMap((v) => [svg("path", { class: "grid", d: `M${round(x.to(v))} ${FRAME.top}V${bottom}` }), text("tick", { x: round(x.to(v)), y: bottom + 15 }, "middle", `${v}°`)]),
-      ...y.ticks.flatMap((v) => [svg("path", { class: "grid", d: `M${FRAME.left} ${round(y.to(v))}H${right}` }), text("tick", { x: FRAME.left - 6, y: round(y.to(v)) + 4 }, "end", number(v, 4))]),
-      text("axis", { x: (FRAME.left + right) / 2, y: HEIGHT - 6 }, "middle", say("sketch.transmission")),
+    const grid = (d) => svg("path", { class: "grid", d });
+    const across = x.ticks.flatMap((v) => [grid(`M${round(x.to(v))} ${FRAME.top}V${bottom}`), text("tick", { x: round(x.to(v)), y: bottom + 15 }, "middle", `${v}°`)]);
+    const upwards = y.ticks.flatMap((v) => [grid(`M${FRAME.left} ${round(y.to(v))}H${right}`), text("tick", { x: FRAME.left - 6, y: round(y.to(v)) + 4 }, "end", number(v, 4))]);
+    return [...across, ...upwards, text("axis", { x: (FRAME.left + right) / 2, y: HEIGHT - 6 }, "middle", say("sketch.transmission")),
       text("axis", { transform: `translate(12 ${(bottom + FRAME.top) / 2}) rotate(-90)` }, "middle", say("sketch.front_error"))];
   }
 
   #circle(point, [cx, cy]) {
     const isChosen = this.#isChosen(point);
-    return svg("circle", { class: "front-point", cx, cy, r: isChosen ? 6.5 : 5, role: "button", "aria-pressed": String(isChosen), "aria-label": this.textOf(point), "data-level": point.level, "data-angle": point.angle, "data-error": point.error });
+    const facts = { "data-level": point.level, "data-angle": point.angle, "data-error": point.error };
+    return svg("circle", { class: "front-point", cx, cy, r: isChosen ? 6.5 : 5, role: "button", "aria-pressed": String(isChosen), "aria-label": this.textOf(point), ...facts });
   }
 
   // Searches find a design more than once, with other last digits.
@@ -73,19 +76,19 @@ export class FrontPlot {
     return Boolean(chosen) && Math.abs(angle - chosen.angle) < SAME_ANGLE && Math.abs(error - chosen.error) <= SAME_ERROR * error;
   }
 
-  #chosenOrFirst() { return Math.max(0, this.front.points.findIndex((point) => this.#isChosen(point))); }
+  #chosenOrFirst() { return Math.max(0, this.drawn.findIndex((point) => this.#isChosen(point))); }
 
   // One of the points is in the order of the Tab key; arrows go on from it.
   #reachable(i) { this.circles.forEach((circle, k) => set(circle, { tabindex: k === i ? 0 : -1 })); }
 
   #nearest(event) {
-    const { points } = this.front, box = this.holder.getBoundingClientRect();
-    const far = points.map((_, i) => Math.hypot(this.places[i][0] - event.clientX + box.left, this.places[i][1] - event.clientY + box.top));
-    return points[far.indexOf(Math.min(...far))] ?? null;
+    const box = this.holder.getBoundingClientRect();
+    const far = this.drawn.map((_, i) => Math.hypot(this.places[i][0] - event.clientX + box.left, this.places[i][1] - event.clientY + box.top));
+    return this.drawn[far.indexOf(Math.min(...far))] ?? null;
   }
 
   #hint(point) {
-    this.circles.forEach((circle, i) => circle.classList.toggle("hinted", this.front.points[i] === point));
+    this.circles.forEach((circle, i) => circle.classList.toggle("hinted", this.drawn[i] === point));
     this.hinted = point;
     this.on.point(point && !this.#isChosen(point) ? point : null);
   }
