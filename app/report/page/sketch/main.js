@@ -42,6 +42,8 @@ const read = readAddress(CLASSES_ASKED);
 let steps = new History({ ...EMPTY, ...read?.state });
 // The state shown, which a drag has changed and the history does not hold yet; the design that stays chosen.
 let shown = steps.present, held = null, begun = 0;
+// The address as the page knows it.
+let kept = location.href;
 // The designs that were shown when a drag began; null while nothing is dragged.
 let dragged = null;
 
@@ -192,9 +194,12 @@ function showLimits(least, reach) {
   byId("reach-value").textContent = say("sketch.times", { value: number(reach) });
 }
 
+// Not over an address that another hand has put there and that is about to be opened.
 function keepAddress() {
+  if (location.href !== kept) return;
   const address = shown.points.length ? addressOf(shown, scene.candidates[scene.chosen]?.entry) : `#${location.hash.slice(1).split("&").filter((part) => /^[a-z]+$/.test(part)).join("&")}`;
   history.replaceState(null, "", address === "#" ? location.href.split("#")[0] : address);
+  kept = location.href;
 }
 
 function draw() {
@@ -320,6 +325,7 @@ function listenToKeys() {
 
 // Another sketch in the address, pasted or gone back to.
 function openAddress() {
+  kept = location.href;
   const other = readAddress(CLASSES_ASKED);
   if (!other) return;
   steps.push({ ...EMPTY, ...other.state });
