@@ -22,6 +22,15 @@ export function couplerPose(bar, angle) {
   return { at: [b[0] + u * f[0] - v * f[1], b[1] + u * f[1] + v * f[0]], direction: Math.atan2(f[1], f[0]) };
 }
 
+// Of the joints B and C and of the coupler point the least distance from a box, negative within it, over a turn of the crank.
+export function clearanceOf(bar, [[x0, y0], [x1, y1]]) {
+  const beyond = ([x, y]) => Math.max(x0 - x, x - x1, y0 - y, y - y1);
+  return Math.min(...Array.from({ length: FINE }, (_, i) => (2 * Math.PI * i) / FINE).map((angle) => {
+    const found = joints(bar, angle);
+    return found ? Math.min(...[found.b, found.c, couplerPose(bar, angle).at].map(beyond)) : NaN;
+  }));
+}
+
 // The angle BCD, of at most 90 degrees.
 function transmission(bar, angle) {
   const found = joints(bar, angle);

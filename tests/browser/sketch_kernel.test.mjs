@@ -7,7 +7,7 @@ import { encoded } from "../../app/report/page/encoded.js";
 import { Candidate } from "../../app/report/page/sketch/candidate.js";
 import { Front } from "../../app/report/page/sketch/front.js";
 import { problemOf } from "../../app/report/page/sketch/question.js";
-import { couplerPose, leastTransmission } from "./closures.mjs";
+import { clearanceOf, couplerPose, leastTransmission } from "./closures.mjs";
 
 const { instance: { exports: calls } } = await WebAssembly.instantiate(gunzipSync(Buffer.from(readFileSync(process.env.KERNEL, "utf8"), "base64")));
 calls._initialize?.();
@@ -93,6 +93,22 @@ test("a front goes on where only its bound changes, else begins anew", () => {
     front.follow({ ...state(POSES.slice(0, 3)), ...other });
     assert.ok(!front.ended && front.points.length === 0, JSON.stringify(other));
   }
+});
+
+for (const [name, drawing, obstacle] of [["poses", state(POSES), [[5, 15], [25, 40]]], ["a curve", { ...state(POSES), points: CURVE, angles: null }, [[-10, -30], [40, -14]]]]) {
+  test(`joints and the point of the designs for ${name} stay out of a box over the whole turn`, () => {
+    const free = { ...drawing, class: "crank-rocker", least: 10 };
+    const designs = (kept) => answer(problemOf({ ...free, obstacle: kept }, { starts: 200, designs: 8 })).designs;
+    const far = designs(obstacle).map(({ mechanism }) => clearanceOf(barOf(mechanism), obstacle));
+    assert.ok(far.length > 0 && far.every((distance) => distance > -1e-4), `${far}`);
+    // Without the limit some would come into it.
+    assert.ok(designs(null).some(({ mechanism }) => clearanceOf(barOf(mechanism), obstacle) < -1));
+  });
+}
+
+test("a box is refused beside a class whose crank does not turn fully", () => {
+  const { faults } = answer(problemOf({ ...state(POSES), obstacle: [[0, 0], [9, 9]] }, { starts: 5 }));
+  assert.ok(faults.some((fault) => /full turn of the crank/.test(fault)), `${faults}`);
 });
 
 test("what is no question is refused in a sentence", () => {

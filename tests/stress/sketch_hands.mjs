@@ -22,7 +22,7 @@ async function through(page, places) {
   await page.mouse.up();
 }
 
-const KEYS = ["1", "2", "3", "c", "x", "p", "r", "z", "y", " ", "Enter", "Delete", "Tab", "ArrowLeft", "Shift+ArrowUp", "Control+z", "Control+Shift+z", "Escape"];
+const KEYS = ["1", "2", "3", "c", "x", "p", "r", "o", "z", "y", " ", "Enter", "Delete", "Tab", "ArrowLeft", "Shift+ArrowUp", "Control+z", "Control+Shift+z", "Escape"];
 
 // Each takes the page and a function from shares of the sheet to pixels.
 const DOES = {

@@ -12,6 +12,7 @@ import { filmed, Saves } from "../saves.js";
 import { say, sentenceOf, term } from "../words.js";
 import { Zoom } from "../zoom.js";
 import { addressOf, readAddress } from "./address.js";
+import { Boxes, withClass } from "./boxes.js";
 import { Bringings } from "./bringings.js";
 import { Candidate, differing, nearestTo, withoutNoise } from "./candidate.js";
 import { Cards } from "./cards.js";
@@ -26,7 +27,7 @@ import { Surface } from "./surface.js";
 import { Takings } from "./takings.js";
 
 // `angles`: null of a curve; of poses one for each point, in degrees.
-const EMPTY = { points: [], angles: null, closed: false, stroke: false, class: "any", least: 30, reach: 3, region: null };
+const EMPTY = { points: [], angles: null, closed: false, stroke: false, class: "any", least: 30, reach: 3, region: null, obstacle: null };
 const SHOWN = 3;
 
 const scene = new SketchScene(byId("picture"), say("sketch.picture"));
@@ -37,7 +38,8 @@ const cards = new Cards((i) => choose(i));
 const takings = new Takings(() => ({ state: shown, candidate: scene.candidates[scene.chosen] }));
 const panel = new FrontPanel({ point: lookAt, take: takePoint });
 const search = Kernel.available ? new Search(take, (text) => announce(say("sketch.failed", { text }))) : null;
-const surface = new Surface(byId("picture"), () => scene.view, { begin: () => search?.cancel(), resume: () => solve(), box: bound, stroke, click, drag, turn, drop, remove });
+const surface = new Surface(byId("picture"), () => scene.view, { begin: () => search?.cancel(), resume: () => solve(), box: (p, q) => boxes.put(p, q), stroke, click, drag, turn, drop, remove });
+const boxes = new Boxes(surface, { state: () => shown, change, announce: (text) => announce(text), resume: () => solve() });
 const read = readAddress(CLASSES_ASKED);
 let steps = new History({ ...EMPTY, ...read?.state });
 // The state shown, which a drag has changed and the history does not hold yet; the design that stays chosen.
@@ -179,7 +181,7 @@ function showState() {
   byId("least").value = least;
   byId("reach").value = reach;
   showLimits(least, reach);
-  showRegion();
+  boxes.show();
   showTargets();
   followTakings();
 }
@@ -256,27 +258,7 @@ function step(sense) {
 const clear = () => change({ points: [], angles: shown.angles && [], closed: false, stroke: false });
 const toggleClosed = () => { if (!shown.angles) change({ closed: !shown.closed }); };
 
-const limits = () => ({ class: shown.class, least: shown.least, reach: shown.reach, region: shown.region });
-
-// A box for the fixed pivots, of two opposite corners.
-function bound(p, q) {
-  surface.boxes = false;
-  const [low, high] = [Math.min, Math.max].map((pick) => rounded([0, 1].map((k) => pick(p[k], q[k]))));
-  change({ region: [low, high] });
-}
-
-// Lets the next stroke be such a box, or takes the box away.
-function toggleRegion() {
-  if (shown.region) { change({ region: null }); return; }
-  surface.boxes = !surface.boxes;
-  showRegion();
-  announce(surface.boxes ? say("sketch.draw_region") : "");
-}
-
-function showRegion() {
-  byId("region").textContent = say(shown.region ? "sketch.region_away" : "sketch.region");
-  byId("region").setAttribute("aria-pressed", String(surface.boxes));
-}
+const limits = () => ({ class: shown.class, least: shown.least, reach: shown.reach, region: shown.region, obstacle: shown.obstacle });
 
 // What is drawn from now on; what there was of the other kind goes.
 function drawPoses(poses) { if (poses !== Boolean(shown.angles)) change({ ...EMPTY, ...limits(), angles: poses ? [] : null }); }
@@ -289,12 +271,11 @@ function listen() {
   byId("of-curve").addEventListener("click", () => drawPoses(false));
   byId("of-poses").addEventListener("click", () => drawPoses(true));
   byId("class").append(...CLASSES_ASKED.map((name) => element("option", { value: name }, name === "any" ? say("sketch.any_class") : sentence(term(name)))));
-  byId("class").addEventListener("change", (event) => change({ class: event.target.value }));
+  byId("class").addEventListener("change", (event) => change(withClass(event.target.value)));
   for (const id of ["least", "reach"]) {
     byId(id).addEventListener("input", () => showLimits(byId("least").valueAsNumber, byId("reach").valueAsNumber));
     byId(id).addEventListener("change", (event) => change({ [id]: event.target.valueAsNumber }));
   }
-  byId("region").addEventListener("click", toggleRegion);
   byId("drive").addEventListener("input", (event) => goTo(event.target.valueAsNumber, true));
   listenToKeys();
   new ResizeObserver(draw).observe(byId("picture"));
@@ -309,7 +290,8 @@ function listenToKeys() {
   shortcut(["y"], "y", "sketch.redo", () => step("redo"));
   shortcut(["c"], "c", "sketch.close", toggleClosed);
   shortcut(["x"], "x", "sketch.clear_all", clear);
-  shortcut(["r"], "r", "sketch.region", toggleRegion);
+  shortcut(["r"], "r", "sketch.region", () => boxes.toggle("region"));
+  shortcut(["o"], "o", "sketch.obstacle", () => boxes.toggle("obstacle"));
   shortcut(["p"], "p", "sketch.curve_or_poses", () => drawPoses(!shown.angles));
   shortcut(["1", "2", "3"], "1 2 3", "sketch.choose", (event) => choose(Number(event.key) - 1));
   shortcut(["Enter"], "Enter", "sketch.put");

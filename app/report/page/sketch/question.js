@@ -10,6 +10,9 @@ const SHORTEST = 0.02;
 // Of poses, which may stand at one place, the least size (a twelfth of the sheet) and the least that a radian counts.
 const LEAST_SIZE = 10, LEAST_WEIGHT = 5;
 
+// What of a linkage stays out of a box.
+const KEPT_CLEAR = ["coupler-point", "B", "C"];
+
 // Starts of the searches that follow one another. Fewer are mostly enough for poses, since more is made of each.
 const LATER = [500, 2500];
 export const startsOf = ({ angles }) => [...(angles ? [15] : []), 60, ...LATER];
@@ -32,9 +35,10 @@ function pivotsWithin({ points, region, reach }, size) {
 }
 
 function limitsOf(state) {
-  const { class: asked, least, reach } = state, size = drawingSize(state), within = pivotsWithin(state, size);
+  const { class: asked, least, reach, obstacle } = state, size = drawingSize(state), within = pivotsWithin(state, size);
   return { bounds: { length: [short(SHORTEST * size), short(reach * size)], pivot_a: within, pivot_d: within },
-    constraints: { ...(asked === "any" ? {} : { class: asked }), ...(least > 0 ? { transmission_angle_deg: [least, 180 - least] } : {}) } };
+    constraints: { ...(asked === "any" ? {} : { class: asked }), ...(least > 0 ? { transmission_angle_deg: [least, 180 - least] } : {}),
+      ...(obstacle ? { clearance: KEPT_CLEAR.map((point) => ({ point, outside: obstacle })) } : {}) } };
 }
 
 // What a radian counts beside lengths: the root mean squared distance from the middle, as in a file that does not say, but

@@ -14,19 +14,19 @@ const BEHIND = 225;   // degrees from the first axis of a pose, opposite to both
 export class SketchScene extends Picture {
   constructor(frame, label) {
     super(frame, label);
-    Object.assign(this, { candidates: [], chosen: 0, looked: null, picture: null, targets: { points: [], angles: null, closed: false, region: null }, phase: 0 });
+    Object.assign(this, { candidates: [], chosen: 0, looked: null, picture: null, targets: { points: [], angles: null, closed: false, region: null, obstacle: null }, phase: 0 });
   }
 
   build() {
     this.clear(SHEET);
     const { candidates, chosen, looked, view } = this;
     const line = (points) => pathThrough(points.map((p) => view.screen(p)));
-    this.region = svg("rect", { class: "sketch-region", id: "pivot-region" });
+    this.boxes = { region: svg("rect", { class: "sketch-region", id: "pivot-region" }), obstacle: svg("rect", { class: "sketch-obstacle", id: "kept-clear" }) };
     this.drawn = svg("path", { class: "sketch-line" });
     this.spots = svg("g");
     this.ghosts = candidates.map((one, i) => (i === chosen ? null : this.#ghost(one, `sketch-${i}`, line)));
     this.lookedAt = looked && this.#ghost(looked, "looked-at", line);
-    this.root.append(...(this.picture ? [this.#underneath(this.picture)] : []), this.region, this.scaleBar(), this.drawn, ...this.ghosts.filter(Boolean).map(({ root }) => root));
+    this.root.append(...(this.picture ? [this.#underneath(this.picture)] : []), ...Object.values(this.boxes), this.scaleBar(), this.drawn, ...this.ghosts.filter(Boolean).map(({ root }) => root));
     this.parts = candidates[chosen] ? this.#linkage(candidates[chosen], line) : null;
     if (this.parts) this.root.append(this.parts.root);
     this.root.append(...(looked ? [this.lookedAt.root] : []), this.spots);
@@ -55,20 +55,20 @@ export class SketchScene extends Picture {
     return { root, bars, pins, point, body };
   }
 
-  #bound(region) {
-    this.region.toggleAttribute("hidden", !region);
-    if (!region) return;
-    const [[x0, y1], [x1, y0]] = region.map((corner) => this.view.screen(corner));
-    set(this.region, { x: round(x0), y: round(y0), width: round(x1 - x0), height: round(y1 - y0) });
+  #bound(part, box) {
+    part.toggleAttribute("hidden", !box);
+    if (!box) return;
+    const [[x0, y1], [x1, y0]] = box.map((corner) => this.view.screen(corner));
+    set(part, { x: round(x0), y: round(y0), width: round(x1 - x0), height: round(y1 - y0) });
   }
 
   #number(value, [x, y]) { return svg("text", { class: "sketch-number", x: round(x), y: round(y + 4) }, String(value)); }
 
-  // The points drawn, or poses, and where pivots may stand: {points, angles, closed, region}.
+  // The points drawn, or poses, where pivots may stand, and where no joint comes: {points, angles, closed, region, obstacle}.
   target(targets) {
     this.targets = targets;
-    const { points, angles, closed, region } = targets;
-    this.#bound(region);
+    const { points, angles, closed } = targets;
+    for (const [name, part] of Object.entries(this.boxes)) this.#bound(part, targets[name]);
     const at = points.map((p) => this.view.screen(p));
     set(this.drawn, { d: at.length && !angles ? pathThrough(at) + (closed ? "Z" : "") : "" });
     const axes = (angles ?? []).map((degrees, i) => svg("path", { class: "sketch-axes", d: axesPath(at[i], degrees) }));
