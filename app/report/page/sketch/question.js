@@ -13,9 +13,10 @@ const LEAST_SIZE = 10, LEAST_WEIGHT = 5;
 // What of a linkage stays out of a box.
 const KEPT_CLEAR = ["coupler-point", "B", "C"];
 
-// Starts of the searches that follow one another. Fewer are mostly enough for poses, since more is made of each.
-const LATER = [500, 2500];
-export const startsOf = ({ angles }) => [...(angles ? [15] : []), 60, ...LATER];
+// Starts of the searches that follow one another. Fewer are mostly enough for poses, since more is made of each; limits over the
+// whole turn take ten times as long.
+export const startsOf = ({ angles, obstacle }) => (obstacle ? [15, 60, 250] : [...(angles ? [15] : []), 60, 500, 2500]);
+const middleOf = (state) => startsOf(state).at(-2);
 // Those of a search while a hand drags, and the designs that it begins with: curves take longer.
 const besideKnown = ({ angles }) => (angles ? 4 : 1);
 const mostKnown = ({ angles }) => (angles ? 6 : 4);
@@ -75,10 +76,10 @@ export function liveQuestion(state, candidates) {
 }
 
 // The question from designs that were found for other limits: of a search of middle length, or of as good as none besides.
-export const questionFrom = (state, candidates, fresh) => ({ problem: problemOf(state, { starts: fresh ? LATER[0] : besideKnown(state), designs: FOUND }), known: knownOf(state, candidates) });
+export const questionFrom = (state, candidates, fresh) => ({ problem: problemOf(state, { starts: fresh ? middleOf(state) : besideKnown(state), designs: FOUND }), known: knownOf(state, candidates) });
 
 // One question, of a search of middle length.
-export const questionFor = (state) => ({ problem: problemOf(state, { starts: LATER[0], designs: FOUND }) });
+export const questionFor = (state) => ({ problem: problemOf(state, { starts: middleOf(state), designs: FOUND }) });
 
 // The questions for a drawing at rest.
 export function questionsOf(state, candidates) {
