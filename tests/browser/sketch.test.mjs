@@ -2,7 +2,8 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import { assertFits, distance, inTurn as test, moves, open, some } from "./browser.mjs";
-import { addressOf, answered, browser, couplerPose, draw, facts, file, hasKernel, offered, settled, targets, visit } from "./sketching.mjs";
+import { clearanceOf, couplerPose } from "./closures.mjs";
+import { addressOf, answered, browser, draw, facts, file, hasKernel, offered, settled, targets, visit } from "./sketching.mjs";
 
 const ellipse = (t) => [0.5 + 0.16 * Math.cos(t), 0.45 - 0.2 * Math.sin(t)];
 
@@ -256,6 +257,41 @@ test("fixed pivots stand in the box that is drawn for them, by hand or by keys",
   await offered(page);
   inside();
   assert.equal(await page.locator("#closed").getAttribute("aria-pressed"), "false");
+}));
+
+test("joints and the point stay out of a box that is drawn for that, while the crank turns fully", () => visit({}, async (page) => {
+  await draw(page, ellipse);
+  await offered(page);
+  const box = await page.locator("#sheet").boundingBox();
+  const at = (x, y) => [box.x + x * box.width, box.y + y * box.height];
+  await page.locator("#obstacle").click();
+  await page.mouse.move(...at(0.4, 0.7));
+  await page.mouse.down();
+  await page.mouse.move(...at(0.6, 0.95), { steps: 5 });
+  await page.mouse.up();
+  assert.equal(await page.locator("#class").inputValue(), "crank-rocker");
+  await offered(page);
+  const kept = () => { const [x0, y0, x1, y1] = page.url().match(/&c=([^&]+)/)[1].split(",").map(Number); return [[x0, y0], [x1, y1]]; };
+  for (const i of [0, 1]) {
+    await page.locator(`#design-${i}`).check();
+    assert.ok(clearanceOf(addressOf(page), kept()) > -1e-4);
+  }
+  await page.locator("[data-take=copy_problem]").click();
+  const result = await answered("solve", await page.locator("#taken").inputValue());
+  assert.equal(result.status, "solved");
+  assert.deepEqual(result.problem.constraints.clearance.map(({ outside }) => outside), Array.from({ length: 3 }, kept));
+  await visit({ hash: `#${page.url().split("#")[1]}` }, async (again) => {
+    await offered(again);
+    assert.ok(await again.locator("#kept-clear").isVisible());
+    assert.ok(again.url().includes(page.url().match(/&c=[^&]+/)[0]));
+  });
+  // A class whose crank does not turn takes it away, a step back brings both again.
+  await page.locator("#class").selectOption("double-rocker");
+  assert.ok(!page.url().includes("&c="));
+  await page.keyboard.press("Control+z");
+  assert.ok(page.url().includes("&c=") && await page.locator("#kept-clear").isVisible());
+  await page.locator("#obstacle").click();
+  assert.ok(!page.url().includes("&c="));
 }));
 
 test("a finger draws", () => visit({ size: "phone" }, async (page) => {

@@ -1,24 +1,12 @@
 // The page of `cognate sketch`: poses are put, turned and moved, and linkages guide a body through them.
 import assert from "node:assert/strict";
 import { assertFits, distance, inTurn as test, some } from "./browser.mjs";
-import { addressOf, answered, couplerPose, facts, offered, settled, targets, visit } from "./sketching.mjs";
+import { couplerPose } from "./closures.mjs";
+import { addressOf, answered, facts, offered, put, settled, SIX, targets, visit } from "./sketching.mjs";
 
 const RADIANS = Math.PI / 180;
 // By shares of the picture: where the body is, and how far the hand goes from there in its direction.
 const FOUR = [[0.2, 0.6, 0.1, 0], [0.35, 0.4, 0.08, -0.04], [0.55, 0.3, 0.05, -0.08], [0.75, 0.35, 0, -0.1]];
-const SIX = [[0.25, 0.7, 0.1, 0], [0.32, 0.5, 0.08, -0.03], [0.42, 0.36, 0.07, -0.06], [0.55, 0.32, 0.05, -0.09], [0.66, 0.4, 0.03, -0.1], [0.72, 0.55, 0, -0.1]];
-
-async function put(page, poses) {
-  if (await page.locator("#of-poses").getAttribute("aria-pressed") === "false") await page.locator("#of-poses").click();
-  const box = await page.locator("#sheet").boundingBox();
-  const place = (x, y) => [box.x + x * box.width, box.y + y * box.height];
-  for (const [x, y, across, down] of poses) {
-    await page.mouse.move(...place(x, y));
-    await page.mouse.down();
-    await page.mouse.move(...place(x + across, y + down), { steps: 6 });
-    await page.mouse.up();
-  }
-}
 
 // How far the body of the design is from its poses, and by which angle, at the crank angles of the address.
 function misses(design) {

@@ -9,7 +9,7 @@ import { after, before } from "node:test";
 import { promisify } from "node:util";
 import { gzipSync } from "node:zlib";
 import { problemToml } from "../../app/report/page/toml.js";
-import { distance, launch, open } from "./browser.mjs";
+import { launch, open } from "./browser.mjs";
 
 export let browser, folder, file, hasKernel;
 before(async () => {
@@ -75,6 +75,22 @@ export async function draw(page, at, [from, to] = [0, 2 * Math.PI]) {
   await page.mouse.up();
 }
 
+// Six poses by shares of the picture: where the body is, and how far the hand goes from there in its direction.
+export const SIX = [[0.25, 0.7, 0.1, 0], [0.32, 0.5, 0.08, -0.03], [0.42, 0.36, 0.07, -0.06], [0.55, 0.32, 0.05, -0.09], [0.66, 0.4, 0.03, -0.1], [0.72, 0.55, 0, -0.1]];
+
+// Puts such poses with the mouse.
+export async function put(page, poses) {
+  if (await page.locator("#of-poses").getAttribute("aria-pressed") === "false") await page.locator("#of-poses").click();
+  const box = await page.locator("#sheet").boundingBox();
+  const place = (x, y) => [box.x + x * box.width, box.y + y * box.height];
+  for (const [x, y, across, down] of poses) {
+    await page.mouse.move(...place(x, y));
+    await page.mouse.down();
+    await page.mouse.move(...place(x + across, y + down), { steps: 6 });
+    await page.mouse.up();
+  }
+}
+
 // Until all searches for a drawing have ended, or the first has given designs.
 export const offered = (page) => page.waitForFunction(() => /designs? after /.test(document.getElementById("state").textContent));
 export const settled = (page) => page.waitForFunction(() => /designs? after [^;]*\.$/.test(document.getElementById("state").textContent));
@@ -87,16 +103,4 @@ export function addressOf(page) {
   const [numbers, assembly, , cranks = ""] = (parts.d ?? "").split(";");
   const [ax, ay, dx, dy, crank, coupler, rocker, u, v, rms, max, , body] = numbers.split(",").map(Number);
   return { points: parts.p.split(";").map((p) => p.split(",").map(Number)), a: [ax, ay], d: [dx, dy], crank, coupler, rocker, u, v, rms, max, body, cranks: cranks.split(",").map(Number), side: assembly === "crossed" ? -1 : 1 };
-}
-
-// Where the coupler point is and the direction of the coupler, by the intersection of two circles, as in a textbook.
-export function couplerPose({ a, d, crank, coupler, rocker, u, v, side }, angle) {
-  const b = [a[0] + crank * Math.cos(angle), a[1] + crank * Math.sin(angle)];
-  const base = distance(b, d), along = (coupler ** 2 - rocker ** 2 + base ** 2) / (2 * base);
-  const height = Math.sqrt(coupler ** 2 - along ** 2);
-  if (Number.isNaN(height)) return null;
-  const e = [(d[0] - b[0]) / base, (d[1] - b[1]) / base];
-  const c = [b[0] + along * e[0] - side * height * e[1], b[1] + along * e[1] + side * height * e[0]];
-  const f = [(c[0] - b[0]) / coupler, (c[1] - b[1]) / coupler];
-  return { at: [b[0] + u * f[0] - v * f[1], b[1] + u * f[1] + v * f[0]], direction: Math.atan2(f[1], f[0]) };
 }

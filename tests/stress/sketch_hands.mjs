@@ -1,6 +1,6 @@
 // What random hands do to the page of `cognate sketch` in headless Chromium:
 //   BROWSER_PACKAGES=$PWD/build/release/tests/browser/npm node tests/stress/sketch_hands.mjs build/release/app/cognate [ACTIONS] [SEED]
-// Strokes, clicks, poses, drags, turns, keys, limits, undoing: none waits for the one before. Every hundred the page must
+// Strokes, clicks, poses, drags, turns, keys, limits, points of the front, undoing: none waits for the one before. Every hundred the page must
 // come to rest with designs or a sentence; messages of the console, and a page that does not answer, end the run with 1.
 import { execFileSync } from "node:child_process";
 import fs from "node:fs";
@@ -22,7 +22,7 @@ async function through(page, places) {
   await page.mouse.up();
 }
 
-const KEYS = ["1", "2", "3", "c", "x", "p", "r", "z", "y", " ", "Enter", "Delete", "Tab", "ArrowLeft", "Shift+ArrowUp", "Control+z", "Control+Shift+z", "Escape"];
+const KEYS = ["1", "2", "3", "c", "x", "p", "r", "o", "z", "y", " ", "Enter", "Delete", "Tab", "ArrowLeft", "Shift+ArrowUp", "Control+z", "Control+Shift+z", "Escape"];
 
 // Each takes the page and a function from shares of the sheet to pixels.
 const DOES = {
@@ -44,6 +44,11 @@ const DOES = {
     choice.dispatchEvent(new Event("change", { bubbles: true }));
   }, share),
   kind: (page) => page.evaluate((id) => document.getElementById(id).click(), pick(["of-curve", "of-poses"])),
+  front: (page) => page.evaluate(([share, acts]) => {
+    const points = [...document.querySelectorAll(".front-point")], one = points[Math.floor(share * points.length)];
+    one?.focus();
+    if (acts) one?.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true }));
+  }, [random(), random() < 0.5]),
   step: (page) => page.evaluate((id) => document.getElementById(id).click(), pick(["undo", "undo", "redo", "clear"])),
 };
 
@@ -54,7 +59,9 @@ async function dragged(page, selector) {
   await through(page, Array.from({ length: 12 }, (_, k) => [x + 8 * k * (random() - 0.5), y + 8 * k * (random() - 0.5)]));
 }
 
-const rests = (page) => page.waitForFunction(() => !/…$/.test(document.getElementById("state").textContent), null, { timeout: PATIENCE });
+// No search goes on, nor that of the front.
+const rests = (page) => page.waitForFunction(() => !/…$/.test(document.getElementById("state").textContent)
+  && (document.getElementById("front").hidden || !/^(Follows|Searching)/.test(document.getElementById("front-note").textContent)), null, { timeout: PATIENCE });
 
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), "cognate-sketch-"));
 const file = path.join(folder, "sketch.html");
@@ -72,6 +79,7 @@ for (let i = 1; i <= Number(actions) && !faults.length; ++i) {
   await rests(page);
   rested += 1;
   console.error(`${i} of ${actions}`);
+  await DOES.front(page);
   designs += await page.locator(".design-card").count();
 }
 console.log(`${Object.entries(done).map(([name, count]) => `${count} ${name}`).join(", ")}; at rest ${rested} times, with ${designs} designs`);

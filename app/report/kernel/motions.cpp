@@ -6,6 +6,7 @@
 #include "problems/guidance/designs.hpp"
 #include "problems/guidance/problem.hpp"
 #include "problems/guidance/scale.hpp"
+#include "problems/linkage/cycle/read_cycle.hpp"
 #include "problems/linkage/read_constraints.hpp"
 
 namespace cognate::page {
@@ -35,6 +36,7 @@ std::size_t read_poses(problems::reading::LinkageTables& tables, MotionProblem& 
   problem.bounds.pivot_a = bounds.box("pivot_a");
   problem.bounds.pivot_d = bounds.box("pivot_d");
   read_link_constraints(constraints, length_limits({}, problem.bounds), problem.constraints);
+  read_clearances(constraints, {}, problem.constraints);
   problem.solve = read_solve(solve, problem.constraints, false);
   return problem.poses.size();
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/report/kernel/sketched.hpp"
+#include "problems/linkage/cycle/read_cycle.hpp"
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/path/explorer.hpp"
@@ -45,6 +46,7 @@ std::size_t read_points(problems::reading::LinkageTables& tables, PathProblem& p
   read_link_constraints(constraints, length_limits(problem.given, problem.bounds),
                         problem.constraints);
   read_pivot_region(constraints, problem.given, problem.constraints);
+  read_clearances(constraints, {}, problem.constraints);
   problem.solve = read_solve(solve, problem.constraints, false);
   return problem.points.size();
 }

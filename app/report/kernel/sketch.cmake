@@ -48,6 +48,7 @@ cognate_page_kernel(sketch_kernel
   problems/linkage/link_ratios.cpp
   problems/linkage/linkage_constraints.cpp
   problems/linkage/cycle/mean_torque.cpp
+  problems/linkage/cycle/read_clearances.cpp
   problems/linkage/names.cpp
   problems/linkage/read_constraints.cpp
   problems/linkage/read_linkage.cpp

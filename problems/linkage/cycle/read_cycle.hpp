@@ -16,6 +16,13 @@ struct CycleScope {
   bool has_coupler_point = true;
 };
 
+/// Faults what cannot be limited over the turn, or not with the class that has been read.
+void check_over_turn(TableReader& constraints, std::string_view key, const CycleScope& scope,
+                     const Constraints& limits);
+
+/// `clearance` of `[constraints]`, after its class has been read.
+void read_clearances(TableReader& constraints, const CycleScope& scope, Constraints& limits);
+
 /// `clearance` and the limits of `kCycleQuantities` of `[constraints]`, after its class has been
 /// read, and of `document` what these refer to: `[drive]`, `[flywheel]`, `[[link]]`, `[[load]]` and
 /// `gravity`. What `objectives` of the table `solve` names without a limit is to be known, too.

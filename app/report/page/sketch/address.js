@@ -2,6 +2,7 @@
 
 import { LANGUAGES } from "../words.js";
 import { withoutRounding } from "../rounding.js";
+import { turnsFully } from "./boxes.js";
 import { inTurn } from "./posed.js";
 
 const numbersOf = (text) => text.split(",").map(Number);
@@ -27,10 +28,18 @@ function designOf(text) {
 // Whether a design is one for as many targets, of the same kind.
 const isFor = ({ points, angles }, { crank_deg: cranks, body_angle_deg: body }) => cranks.length === points.length && (body === undefined) === (angles === null);
 
+// A box in the address, by a letter.
+const boxPart = (letter, box) => (box ? [`${letter}=${box.flat().join(",")}`] : []);
+
+function boxIn(text = "") {
+  const bounds = numbersOf(text), [x0, y0, x1, y1] = bounds;
+  return bounds.length === 4 && areFinite(bounds) && x0 <= x1 && y0 <= y1 ? [[x0, y0], [x1, y1]] : null;
+}
+
 // What stands behind the # for a state and, perhaps, the entry of a design.
-export function addressOf({ points, angles, closed, stroke, class: asked, least, reach, region }, entry) {
+export function addressOf({ points, angles, closed, stroke, class: asked, least, reach, region, obstacle }, entry) {
   const parts = [...location.hash.slice(1).split("&").filter((part) => LANGUAGES.includes(part)), `p=${points.map((p, i) => [...p, ...(angles ? [angles[i]] : [])].join(",")).join(";")}`,
-    `o=${[closed ? "closed" : "open", stroke ? "stroke" : "points"].join(",")}`, `l=${[asked, least, reach].join(",")}`, ...(region ? [`b=${region.flat().join(",")}`] : [])];
+    `o=${[closed ? "closed" : "open", stroke ? "stroke" : "points"].join(",")}`, `l=${[asked, least, reach].join(",")}`, ...boxPart("b", region), ...boxPart("c", obstacle)];
   return `#${[...parts, ...(entry ? [`d=${designText(entry)}`] : [])].join("&")}`;
 }
 
@@ -43,9 +52,8 @@ export function readAddress(classes) {
   const [asked, least, reach] = (parts.l ?? "").split(",");
   const [line, drawn] = (parts.o ?? "").split(",");
   if (![2, 3].includes(width) || !rows.every((row) => row.length === width && areFinite(row))) return null;
-  const bounds = numbersOf(parts.b ?? "");
-  const [x0, y0, x1, y1] = bounds, region = bounds.length === 4 && areFinite(bounds) && x0 <= x1 && y0 <= y1 ? [[x0, y0], [x1, y1]] : null;
-  const state = { region, points: rows.map((row) => row.slice(0, 2)), angles: width === 3 ? rows.map((row) => inTurn(row[2])) : null, closed: line === "closed", stroke: drawn === "stroke", ...(classes.includes(asked) ? { class: asked } : {}),
+  const region = boxIn(parts.b), held = boxIn(parts.c), isArea = held && held[0].every((x, k) => x < held[1][k]);
+  const state = { region, obstacle: isArea && turnsFully({ class: asked }) ? held : null, points: rows.map((row) => row.slice(0, 2)), angles: width === 3 ? rows.map((row) => inTurn(row[2])) : null, closed: line === "closed", stroke: drawn === "stroke", ...(classes.includes(asked) ? { class: asked } : {}),
     ...(Number.isFinite(Number(least)) && least ? { least: Number(least) } : {}), ...(Number(reach) > 0 ? { reach: Number(reach) } : {}) };
   const entry = parts.d ? designOf(parts.d) : null;
   return { state, entry: entry && isFor(state, entry) ? entry : null };

@@ -10,9 +10,10 @@ const MATTERS = 0.9;   // of the error within all limits: what is not below that
 
 // Each limit: whether it holds, and the state without it.
 const LIMITS = {
-  class: { holds: (state) => state.class !== "any", without: (state) => ({ ...state, class: "any" }) },
+  class: { holds: (state) => state.class !== "any" && !state.obstacle, without: (state) => ({ ...state, class: "any" }) },
   least: { holds: (state) => state.least > 0, without: (state) => ({ ...state, least: 0 }) },
   region: { holds: (state) => state.region !== null, without: (state) => ({ ...state, region: null }) },
+  obstacle: { holds: (state) => state.obstacle !== null, without: (state) => ({ ...state, obstacle: null }) },
   reach: { holds: (state) => state.reach < ANY_REACH, without: (state) => ({ ...state, reach: ANY_REACH }) },
 };
 

@@ -12,10 +12,12 @@ import { filmed, Saves } from "../saves.js";
 import { say, sentenceOf, term } from "../words.js";
 import { Zoom } from "../zoom.js";
 import { addressOf, readAddress } from "./address.js";
+import { Boxes, withClass } from "./boxes.js";
 import { Bringings } from "./bringings.js";
 import { Candidate, differing, nearestTo, withoutNoise } from "./candidate.js";
 import { Cards } from "./cards.js";
 import { clearCosts, costQuestions, showCost } from "./costs.js";
+import { FrontPanel } from "./front_panel.js";
 import { directionOf } from "./posed.js";
 import { CLASSES_ASKED, fewestTargets, liveQuestion, questionsOf, drawingSize } from "./question.js";
 import { SketchScene } from "./scene.js";
@@ -25,7 +27,7 @@ import { Surface } from "./surface.js";
 import { Takings } from "./takings.js";
 
 // `angles`: null of a curve; of poses one for each point, in degrees.
-const EMPTY = { points: [], angles: null, closed: false, stroke: false, class: "any", least: 30, reach: 3, region: null };
+const EMPTY = { points: [], angles: null, closed: false, stroke: false, class: "any", least: 30, reach: 3, region: null, obstacle: null };
 const SHOWN = 3;
 
 const scene = new SketchScene(byId("picture"), say("sketch.picture"));
@@ -34,12 +36,16 @@ const controls = new Controls((seconds) => goTo(scene.phase / RADIANS + controls
 controls.player.pace = 120;
 const cards = new Cards((i) => choose(i));
 const takings = new Takings(() => ({ state: shown, candidate: scene.candidates[scene.chosen] }));
+const panel = new FrontPanel({ point: lookAt, take: takePoint });
 const search = Kernel.available ? new Search(take, (text) => announce(say("sketch.failed", { text }))) : null;
-const surface = new Surface(byId("picture"), () => scene.view, { begin: () => search?.cancel(), resume: () => solve(), box: bound, stroke, click, drag, turn, drop, remove });
+const surface = new Surface(byId("picture"), () => scene.view, { begin: () => search?.cancel(), resume: () => solve(), box: (p, q) => boxes.put(p, q), stroke, click, drag, turn, drop, remove });
+const boxes = new Boxes(surface, { state: () => shown, change, announce: (text) => announce(text), resume: () => solve() });
 const read = readAddress(CLASSES_ASKED);
 let steps = new History({ ...EMPTY, ...read?.state });
 // The state shown, which a drag has changed and the history does not hold yet; the design that stays chosen.
 let shown = steps.present, held = null, begun = 0;
+// The address as the page knows it.
+let kept = location.href;
 // The designs that were shown when a drag began; null while nothing is dragged.
 let dragged = null;
 
@@ -61,6 +67,7 @@ function offer(candidates, chosen) {
   Object.assign(scene, { candidates, chosen });
   draw();
   cards.show(candidates, chosen, drawingSize(shown));
+  panel.show(candidates[chosen]);
   followTakings();
 }
 
@@ -74,19 +81,44 @@ function choose(i) {
   keepAddress();
 }
 
-// An answer of the search; those of the longer ones replace the designs where they are better.
+// A design that is only looked at; null where none is.
+function lookAt(candidate) {
+  if (candidate === scene.looked) return;
+  scene.looked = candidate;
+  draw();
+}
+
+// An answer of the search.
 function take(answer, question) {
-  const { live, first, last, limit } = question;
-  if (limit) { showCost(answer, question, shown, leastError()); return; }
+  if (question.limit) { showCost(answer, question, shown, leastError()); return; }
   const found = (answer.designs ?? []).map((entry) => new Candidate(entry));
+  if (question.front) takeOfFront(found); else takeFound(answer, found, question);
+}
+
+// A design of the front, with the bound that it is the best for.
+function takePoint(candidate, least) {
+  steps.push({ ...steps.present, least });
+  hold(candidate, panel.front.within(least));
+  keepAddress();
+}
+
+function takeOfFront(found) {
+  panel.front.take(found);
+  panel.show(scene.candidates[scene.chosen]);
+  if (!panel.front.ended) search.ask([panel.front.question]);
+}
+
+// Designs of the longer searches replace those before where they are better.
+function takeFound(answer, found, { live, first, last }) {
   const before = first ? [] : scene.candidates;
-  const candidates = differing([...found, ...before], SHOWN, drawingSize(shown), held);
+  if (!live) panel.front.add(found);
+  const candidates = differing([...(live ? found : panel.front.within(shown.least)), ...before], SHOWN, drawingSize(shown), held);
   const chosen = scene.candidates[scene.chosen];
   offer(candidates, Math.max(0, live && chosen ? nearestTo(candidates, chosen) : candidates.indexOf(held)));
   if (!live && scene.candidates.length) widen();
   announce(answer.faults ? answer.faults.map((fault) => sentence(sentenceOf(fault))).join(" ") : stateText(last, live));
   if (!live) keepAddress();
-  if (last && !live && !answer.faults && leastError() > 0) search.ask(costQuestions(shown));
+  if (last && !live && !answer.faults) search.ask([...(leastError() > 0 ? costQuestions(shown) : []), ...(panel.front.ended ? [] : [panel.front.question])]);
 }
 
 const leastError = () => Math.min(Infinity, ...scene.candidates.map(({ entry }) => withoutNoise(entry.rms, drawingSize(shown))));
@@ -103,6 +135,7 @@ function widen() { if (scene.include(scene.candidates[scene.chosen].places)) dra
 function solve(live = false) {
   begun = performance.now();
   clearCosts();
+  panel.follow(search && isEnough() && !live ? shown : null);
   if (!search || !isEnough()) return;
   if (live) { search.askNewest(liveQuestion(shown, [...new Set([...scene.candidates, ...dragged])])); return; }
   announce(say("sketch.searching"));
@@ -148,7 +181,7 @@ function showState() {
   byId("least").value = least;
   byId("reach").value = reach;
   showLimits(least, reach);
-  showRegion();
+  boxes.show();
   showTargets();
   followTakings();
 }
@@ -163,9 +196,12 @@ function showLimits(least, reach) {
   byId("reach-value").textContent = say("sketch.times", { value: number(reach) });
 }
 
+// Not over an address that another hand has put there and that is about to be opened.
 function keepAddress() {
+  if (location.href !== kept) return;
   const address = shown.points.length ? addressOf(shown, scene.candidates[scene.chosen]?.entry) : `#${location.hash.slice(1).split("&").filter((part) => /^[a-z]+$/.test(part)).join("&")}`;
   history.replaceState(null, "", address === "#" ? location.href.split("#")[0] : address);
+  kept = location.href;
 }
 
 function draw() {
@@ -222,27 +258,7 @@ function step(sense) {
 const clear = () => change({ points: [], angles: shown.angles && [], closed: false, stroke: false });
 const toggleClosed = () => { if (!shown.angles) change({ closed: !shown.closed }); };
 
-const limits = () => ({ class: shown.class, least: shown.least, reach: shown.reach, region: shown.region });
-
-// A box for the fixed pivots, of two opposite corners.
-function bound(p, q) {
-  surface.boxes = false;
-  const [low, high] = [Math.min, Math.max].map((pick) => rounded([0, 1].map((k) => pick(p[k], q[k]))));
-  change({ region: [low, high] });
-}
-
-// Lets the next stroke be such a box, or takes the box away.
-function toggleRegion() {
-  if (shown.region) { change({ region: null }); return; }
-  surface.boxes = !surface.boxes;
-  showRegion();
-  announce(surface.boxes ? say("sketch.draw_region") : "");
-}
-
-function showRegion() {
-  byId("region").textContent = say(shown.region ? "sketch.region_away" : "sketch.region");
-  byId("region").setAttribute("aria-pressed", String(surface.boxes));
-}
+const limits = () => ({ class: shown.class, least: shown.least, reach: shown.reach, region: shown.region, obstacle: shown.obstacle });
 
 // What is drawn from now on; what there was of the other kind goes.
 function drawPoses(poses) { if (poses !== Boolean(shown.angles)) change({ ...EMPTY, ...limits(), angles: poses ? [] : null }); }
@@ -255,12 +271,11 @@ function listen() {
   byId("of-curve").addEventListener("click", () => drawPoses(false));
   byId("of-poses").addEventListener("click", () => drawPoses(true));
   byId("class").append(...CLASSES_ASKED.map((name) => element("option", { value: name }, name === "any" ? say("sketch.any_class") : sentence(term(name)))));
-  byId("class").addEventListener("change", (event) => change({ class: event.target.value }));
+  byId("class").addEventListener("change", (event) => change(withClass(event.target.value)));
   for (const id of ["least", "reach"]) {
     byId(id).addEventListener("input", () => showLimits(byId("least").valueAsNumber, byId("reach").valueAsNumber));
     byId(id).addEventListener("change", (event) => change({ [id]: event.target.valueAsNumber }));
   }
-  byId("region").addEventListener("click", toggleRegion);
   byId("drive").addEventListener("input", (event) => goTo(event.target.valueAsNumber, true));
   listenToKeys();
   new ResizeObserver(draw).observe(byId("picture"));
@@ -275,7 +290,8 @@ function listenToKeys() {
   shortcut(["y"], "y", "sketch.redo", () => step("redo"));
   shortcut(["c"], "c", "sketch.close", toggleClosed);
   shortcut(["x"], "x", "sketch.clear_all", clear);
-  shortcut(["r"], "r", "sketch.region", toggleRegion);
+  shortcut(["r"], "r", "sketch.region", () => boxes.toggle("region"));
+  shortcut(["o"], "o", "sketch.obstacle", () => boxes.toggle("obstacle"));
   shortcut(["p"], "p", "sketch.curve_or_poses", () => drawPoses(!shown.angles));
   shortcut(["1", "2", "3"], "1 2 3", "sketch.choose", (event) => choose(Number(event.key) - 1));
   shortcut(["Enter"], "Enter", "sketch.put");
@@ -291,20 +307,27 @@ function listenToKeys() {
 
 // Another sketch in the address, pasted or gone back to.
 function openAddress() {
+  kept = location.href;
   const other = readAddress(CLASSES_ASKED);
   if (!other) return;
   steps.push({ ...EMPTY, ...other.state });
   open(other.entry);
 }
 
-// Begins with the design of the address, if any, which stays until the points change.
+// Begins with the design of the address, if any.
 function open(entry) {
+  const first = entry ? new Candidate(entry) : null;
+  hold(first?.poses.length ? first : null);
+}
+
+// Shows the present state with a design, if any, which stays until the points change, and others.
+function hold(candidate, others = []) {
   shown = steps.present;
   search?.cancel();
-  const first = entry ? new Candidate(entry) : null;
-  held = first?.poses.length ? first : null;
+  held = candidate;
   dragged = null;
-  if (held || isEnough()) offer(held ? [held] : [], 0); else askForMore();
+  const candidates = held ? differing([held, ...others], SHOWN, drawingSize(shown), held) : [];
+  if (held || isEnough()) offer(candidates, Math.max(0, candidates.indexOf(held))); else askForMore();
   showState();
   if (held) widen();
   solve();

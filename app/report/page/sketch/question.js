@@ -10,9 +10,13 @@ const SHORTEST = 0.02;
 // Of poses, which may stand at one place, the least size (a twelfth of the sheet) and the least that a radian counts.
 const LEAST_SIZE = 10, LEAST_WEIGHT = 5;
 
-// Starts of the searches that follow one another. Fewer are mostly enough for poses, since more is made of each.
-const LATER = [500, 2500];
-export const startsOf = ({ angles }) => [...(angles ? [15] : []), 60, ...LATER];
+// What of a linkage stays out of a box.
+const KEPT_CLEAR = ["coupler-point", "B", "C"];
+
+// Starts of the searches that follow one another. Fewer are mostly enough for poses, since more is made of each; limits over the
+// whole turn take ten times as long.
+export const startsOf = ({ angles, obstacle }) => (obstacle ? [15, 60, 250] : [...(angles ? [15] : []), 60, 500, 2500]);
+const middleOf = (state) => startsOf(state).at(-2);
 // Those of a search while a hand drags, and the designs that it begins with: curves take longer.
 const besideKnown = ({ angles }) => (angles ? 4 : 1);
 const mostKnown = ({ angles }) => (angles ? 6 : 4);
@@ -32,9 +36,10 @@ function pivotsWithin({ points, region, reach }, size) {
 }
 
 function limitsOf(state) {
-  const { class: asked, least, reach } = state, size = drawingSize(state), within = pivotsWithin(state, size);
+  const { class: asked, least, reach, obstacle } = state, size = drawingSize(state), within = pivotsWithin(state, size);
   return { bounds: { length: [short(SHORTEST * size), short(reach * size)], pivot_a: within, pivot_d: within },
-    constraints: { ...(asked === "any" ? {} : { class: asked }), ...(least > 0 ? { transmission_angle_deg: [least, 180 - least] } : {}) } };
+    constraints: { ...(asked === "any" ? {} : { class: asked }), ...(least > 0 ? { transmission_angle_deg: [least, 180 - least] } : {}),
+      ...(obstacle ? { clearance: KEPT_CLEAR.map((point) => ({ point, outside: obstacle })) } : {}) } };
 }
 
 // What a radian counts beside lengths: the root mean squared distance from the middle, as in a file that does not say, but
@@ -70,8 +75,11 @@ export function liveQuestion(state, candidates) {
   return { problem: problemOf(state, { starts: known.length ? besideKnown(state) : startsOf(state)[0], designs: FOUND }), known, live: true, first: true, last: true };
 }
 
+// The question from designs that were found for other limits: of a search of middle length, or of as good as none besides.
+export const questionFrom = (state, candidates, fresh) => ({ problem: problemOf(state, { starts: fresh ? middleOf(state) : besideKnown(state), designs: FOUND }), known: knownOf(state, candidates) });
+
 // One question, of a search of middle length.
-export const questionFor = (state) => ({ problem: problemOf(state, { starts: LATER[0], designs: FOUND }) });
+export const questionFor = (state) => ({ problem: problemOf(state, { starts: middleOf(state), designs: FOUND }) });
 
 // The questions for a drawing at rest.
 export function questionsOf(state, candidates) {

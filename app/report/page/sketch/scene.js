@@ -14,21 +14,22 @@ const BEHIND = 225;   // degrees from the first axis of a pose, opposite to both
 export class SketchScene extends Picture {
   constructor(frame, label) {
     super(frame, label);
-    Object.assign(this, { candidates: [], chosen: 0, picture: null, targets: { points: [], angles: null, closed: false, region: null }, phase: 0 });
+    Object.assign(this, { candidates: [], chosen: 0, looked: null, picture: null, targets: { points: [], angles: null, closed: false, region: null, obstacle: null }, phase: 0 });
   }
 
   build() {
     this.clear(SHEET);
-    const { candidates, chosen, view } = this;
+    const { candidates, chosen, looked, view } = this;
     const line = (points) => pathThrough(points.map((p) => view.screen(p)));
-    this.region = svg("rect", { class: "sketch-region", id: "pivot-region" });
+    this.boxes = { region: svg("rect", { class: "sketch-region", id: "pivot-region" }), obstacle: svg("rect", { class: "sketch-obstacle", id: "kept-clear" }) };
     this.drawn = svg("path", { class: "sketch-line" });
     this.spots = svg("g");
-    this.ghosts = candidates.map((one, i) => (i === chosen ? null : this.#ghost(one, i, line)));
-    this.root.append(...(this.picture ? [this.#underneath(this.picture)] : []), this.region, this.scaleBar(), this.drawn, ...this.ghosts.filter(Boolean).map(({ root }) => root));
+    this.ghosts = candidates.map((one, i) => (i === chosen ? null : this.#ghost(one, `sketch-${i}`, line)));
+    this.lookedAt = looked && this.#ghost(looked, "looked-at", line);
+    this.root.append(...(this.picture ? [this.#underneath(this.picture)] : []), ...Object.values(this.boxes), this.scaleBar(), this.drawn, ...this.ghosts.filter(Boolean).map(({ root }) => root));
     this.parts = candidates[chosen] ? this.#linkage(candidates[chosen], line) : null;
     if (this.parts) this.root.append(this.parts.root);
-    this.root.append(this.spots);
+    this.root.append(...(looked ? [this.lookedAt.root] : []), this.spots);
     this.target(this.targets);
     this.move(this.phase);
   }
@@ -39,9 +40,9 @@ export class SketchScene extends Picture {
     return svg("image", { href: address, class: "underneath", x: round(x), y: round(y), width: round(width * this.view.scale), height: round(width * share * this.view.scale), preserveAspectRatio: "none" });
   }
 
-  #ghost({ curve }, i, line) {
+  #ghost({ curve }, name, line) {
     const links = svg("path", { class: "ghost-links" });
-    const root = svg("g", { class: `ghost-linkage sketch-${i}` }, svg("path", { class: "ghost-path", d: line(curve) }), links);
+    const root = svg("g", { class: `ghost-linkage ${name}` }, svg("path", { class: "ghost-path", d: line(curve) }), links);
     return { root, links };
   }
 
@@ -54,20 +55,20 @@ export class SketchScene extends Picture {
     return { root, bars, pins, point, body };
   }
 
-  #bound(region) {
-    this.region.toggleAttribute("hidden", !region);
-    if (!region) return;
-    const [[x0, y1], [x1, y0]] = region.map((corner) => this.view.screen(corner));
-    set(this.region, { x: round(x0), y: round(y0), width: round(x1 - x0), height: round(y1 - y0) });
+  #bound(part, box) {
+    part.toggleAttribute("hidden", !box);
+    if (!box) return;
+    const [[x0, y1], [x1, y0]] = box.map((corner) => this.view.screen(corner));
+    set(part, { x: round(x0), y: round(y0), width: round(x1 - x0), height: round(y1 - y0) });
   }
 
   #number(value, [x, y]) { return svg("text", { class: "sketch-number", x: round(x), y: round(y + 4) }, String(value)); }
 
-  // The points drawn, or poses, and where pivots may stand: {points, angles, closed, region}.
+  // The points drawn, or poses, where pivots may stand, and where no joint comes: {points, angles, closed, region, obstacle}.
   target(targets) {
     this.targets = targets;
-    const { points, angles, closed, region } = targets;
-    this.#bound(region);
+    const { points, angles, closed } = targets;
+    for (const [name, part] of Object.entries(this.boxes)) this.#bound(part, targets[name]);
     const at = points.map((p) => this.view.screen(p));
     set(this.drawn, { d: at.length && !angles ? pathThrough(at) + (closed ? "Z" : "") : "" });
     const axes = (angles ?? []).map((degrees, i) => svg("path", { class: "sketch-axes", d: axesPath(at[i], degrees) }));
@@ -78,13 +79,23 @@ export class SketchScene extends Picture {
   // Every linkage at `phase` of its motion.
   move(phase) {
     this.phase = phase;
-    this.candidates.forEach((one, i) => {
-      const pose = one.pose(phase);
-      const [a, b, c, d, p] = pose ? [one.linkage.closure.a, pose.b, pose.c, one.linkage.closure.d, pose.p].map((place) => this.view.screen(place)) : [];
-      if (i !== this.chosen) { set(this.ghosts[i].links, { d: pose ? `${pathThrough([a, b, c, d])}${pathThrough([b, p, c])}` : "" }); return; }
-      this.parts.root.toggleAttribute("hidden", !pose);
-      if (pose) this.#place(a, b, c, d, p, one.bodyAngle(pose));
-    });
+    this.candidates.forEach((one, i) => { if (i !== this.chosen) this.#moveGhost(this.ghosts[i], one); });
+    if (this.lookedAt) this.#moveGhost(this.lookedAt, this.looked);
+    if (this.parts) this.#moveLinkage(this.candidates[this.chosen]);
+  }
+
+  // Its joints and its point on the screen; none where it does not close.
+  #joints({ linkage: { closure } }, pose) { return pose ? [closure.a, pose.b, pose.c, closure.d, pose.p].map((place) => this.view.screen(place)) : null; }
+
+  #moveGhost({ links }, one) {
+    const [a, b, c, d, p] = this.#joints(one, one.pose(this.phase)) ?? [];
+    set(links, { d: a ? `${pathThrough([a, b, c, d])}${pathThrough([b, p, c])}` : "" });
+  }
+
+  #moveLinkage(one) {
+    const pose = one.pose(this.phase);
+    this.parts.root.toggleAttribute("hidden", !pose);
+    if (pose) this.#place(...this.#joints(one, pose), one.bodyAngle(pose));
   }
 
   #place(a, b, c, d, p, turned) {

@@ -15,7 +15,7 @@ export class Surface {
   // in place of that while `boxes` is set, click(point), drag(i, point), turn(i, degrees), drop() after a drag or a turn,
   // remove(i); `view()` is that of the picture.
   constructor(frame, view, on) {
-    Object.assign(this, { view, on, at: null, corner: null, boxes: false, handles: [] });
+    Object.assign(this, { view, on, at: null, corner: null, boxes: null, handles: [] });
     this.area = svg("rect", { class: "draw-handle", width: "100%", height: "100%", tabindex: 0, role: "button", id: "sheet", "aria-label": say("sketch.sheet") });
     this.ink = svg("path", { class: "sketch-ink" });
     this.cross = svg("path", { class: "sketch-cross", d: "M-9 0H9M0 -9V9", hidden: "" });

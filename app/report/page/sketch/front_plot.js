@@ -1,0 +1,114 @@
+// The plot of a front: error over minimum transmission angle, its points to look at and to take.
+
+import { byId, set, svg } from "../dom.js";
+import { number } from "../format.js";
+import { pathThrough, round } from "../shapes.js";
+import { say } from "../words.js";
+import { angleScale, errorScale } from "./front_scales.js";
+
+const HEIGHT = 210;
+const FRAME = { left: 58, right: 12, top: 10, bottom: 40 };
+const SAME_ANGLE = 0.05, SAME_ERROR = 5e-3;   // degrees, and a share: the marks of two would lie on one another
+const ARROWS = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, Home: -Infinity, End: Infinity };
+
+export class FrontPlot {
+  // `on.point(point)`: the one looked at, null where none is or the design chosen; `on.take(point)`; `textOf(point)` says its values.
+  constructor(on, textOf) {
+    Object.assign(this, { on, textOf, holder: byId("front-plot"), front: { points: [] }, hinted: null, drawn: [], circles: [] });
+    this.holder.addEventListener("pointermove", (event) => this.#hint(this.#nearest(event)));
+    this.holder.addEventListener("pointerleave", () => this.#hint(this.#focused));
+    this.holder.addEventListener("click", (event) => this.#take(this.#nearest(event)));
+    this.holder.addEventListener("focusin", () => this.#hint(this.#focused));
+    this.holder.addEventListener("focusout", () => this.#hint(null));
+    this.holder.addEventListener("keydown", (event) => this.#key(event));
+    new ResizeObserver(() => this.#draw()).observe(this.holder);
+  }
+
+  // `points`; the design `chosen` and `least`, the present bound; both may be none.
+  show(front) {
+    this.front = front;
+    this.#draw();
+  }
+
+  get #focused() { return this.drawn[this.circles.indexOf(document.activeElement)] ?? null; }
+
+  // Focus and hint stay where the hand is.
+  #draw() {
+    const { points } = this.front, width = this.holder.clientWidth, { hinted } = this, focused = this.#focused;
+    Object.assign(this, { drawn: points, circles: [] });
+    if (points.length && width) this.#build(points, width); else this.holder.replaceChildren();
+    if (focused) this.circles[points.indexOf(points.find(({ level }) => level >= focused.level) ?? points.at(-1))]?.focus({ preventScroll: true });
+    this.#hint(points.find(({ level }) => level === hinted?.level) ?? null);
+  }
+
+  #build(points, width) {
+    const { chosen, least } = this.front, [bottom, right] = [HEIGHT - FRAME.bottom, width - FRAME.right];
+    const all = chosen && !points.some((point) => this.#isChosen(point)) ? [...points, chosen] : points;
+    const x = angleScale([FRAME.left, right]), y = errorScale(all.map(({ error }) => error), [bottom, FRAME.top]);
+    this.places = all.map(({ angle, error }) => [x.to(angle), y.to(error)].map(round));
+    this.circles = points.map((point, i) => this.#circle(point, this.places[i]));
+    const bound = least > 0 ? [svg("path", { class: "front-bound", d: `M${round(x.to(least))} ${FRAME.top}V${bottom}` })] : [];
+    const line = svg("path", { class: "front-line", d: pathThrough(this.places.slice(0, points.length)) });
+    const apart = this.places.slice(points.length).map(([cx, cy]) => svg("circle", { class: "front-apart", cx, cy, r: 5 }));
+    const look = { viewBox: `0 0 ${width} ${HEIGHT}`, width, height: HEIGHT, role: "group", "aria-labelledby": "front-title" };
+    this.holder.replaceChildren(svg("svg", look, ...this.#axes(x, y, bottom, right), ...bound, line, ...apart, ...this.circles));
+    this.#reachable(this.#chosenOrFirst());
+  }
+
+  #axes(x, y, bottom, right) {
+    const text = (name, at, anchor, value) => svg("text", { class: name, "text-anchor": anchor, ...at }, value);
+    const grid = (d) => svg("path", { class: "grid", d });
+    const across = x.ticks.flatMap((v) => [grid(`M${round(x.to(v))} ${FRAME.top}V${bottom}`), text("tick", { x: round(x.to(v)), y: bottom + 15 }, "middle", `${v}°`)]);
+    const upwards = y.ticks.flatMap((v) => [grid(`M${FRAME.left} ${round(y.to(v))}H${right}`), text("tick", { x: FRAME.left - 6, y: round(y.to(v)) + 4 }, "end", number(v, 4))]);
+    return [...across, ...upwards, text("axis", { x: (FRAME.left + right) / 2, y: HEIGHT - 6 }, "middle", say("sketch.transmission")),
+      text("axis", { transform: `translate(12 ${(bottom + FRAME.top) / 2}) rotate(-90)` }, "middle", say("sketch.front_error"))];
+  }
+
+  #circle(point, [cx, cy]) {
+    const isChosen = this.#isChosen(point);
+    const facts = { "data-level": point.level, "data-angle": point.angle, "data-error": point.error };
+    return svg("circle", { class: "front-point", cx, cy, r: isChosen ? 6.5 : 5, role: "button", "aria-pressed": String(isChosen), "aria-label": this.textOf(point), ...facts });
+  }
+
+  // Searches find a design more than once, with other last digits.
+  #isChosen({ angle, error }) {
+    const { chosen } = this.front;
+    return Boolean(chosen) && Math.abs(angle - chosen.angle) < SAME_ANGLE && Math.abs(error - chosen.error) <= SAME_ERROR * error;
+  }
+
+  #chosenOrFirst() { return Math.max(0, this.drawn.findIndex((point) => this.#isChosen(point))); }
+
+  // One of the points is in the order of the Tab key; arrows go on from it.
+  #reachable(i) { this.circles.forEach((circle, k) => set(circle, { tabindex: k === i ? 0 : -1 })); }
+
+  #nearest(event) {
+    const box = this.holder.getBoundingClientRect();
+    const far = this.drawn.map((_, i) => Math.hypot(this.places[i][0] - event.clientX + box.left, this.places[i][1] - event.clientY + box.top));
+    return this.drawn[far.indexOf(Math.min(...far))] ?? null;
+  }
+
+  #hint(point) {
+    this.circles.forEach((circle, i) => circle.classList.toggle("hinted", this.drawn[i] === point));
+    this.hinted = point;
+    this.on.point(point && !this.#isChosen(point) ? point : null);
+  }
+
+  #take(point) {
+    if (!point) return;
+    this.on.take(point);
+    this.circles[this.#chosenOrFirst()]?.focus({ preventScroll: true });
+  }
+
+  #key(event) {
+    if (event.ctrlKey || event.altKey || event.metaKey || !this.#focused) return;
+    const step = ARROWS[event.key], at = this.circles.indexOf(document.activeElement), last = this.circles.length - 1;
+    if (step) {
+      const next = Math.min(last, Math.max(0, at + step));
+      this.#reachable(next);
+      this.circles[next].focus();
+    } else if (["Enter", " "].includes(event.key)) this.#take(this.#focused);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+}

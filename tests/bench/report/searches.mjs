@@ -1,0 +1,62 @@
+// What the measurements of the page of `cognate sketch` have in common: drawings, its search, and the program's.
+import { execFileSync } from "node:child_process";
+import fs from "node:fs";
+import os from "node:os";
+import path from "node:path";
+import { gunzipSync } from "node:zlib";
+import { encoded } from "../../../app/report/page/encoded.js";
+import { problemToml } from "../../../app/report/page/toml.js";
+import { harmonicStroke, randomNumbers } from "./drawings.mjs";
+
+const POINTS = 24, SIZE = 100;
+const random = randomNumbers();
+
+// The states of the page with its limits at their defaults.
+const state = { class: "any", least: 30, reach: 3, region: null };
+const curve = (i) => ({ ...state, angles: null, points: harmonicStroke(random, i % 2 === 0, SIZE, POINTS) });
+
+function poses(i) {
+  const points = harmonicStroke(random, i % 2 === 0, SIZE, 6 + (i % 10));
+  let direction = 360 * random();
+  return { ...state, points, angles: points.map(() => Math.round(direction += 60 * (random() - 0.3))) };
+}
+
+export const DRAWINGS = [["curves", curve], ["poses", poses]];
+
+// The search in the page of a build in the folder `build`.
+export async function searchOf(build) {
+  const base64 = fs.readFileSync(path.join(build, "app/report/sketch_kernel.base64"), "utf8");
+  const { instance } = await WebAssembly.instantiate(gunzipSync(Buffer.from(base64, "base64")));
+  const calls = instance.exports;
+  calls._initialize?.();
+  return (problem) => {
+    const numbers = [];
+    const text = new TextEncoder().encode(encoded(problem, numbers));
+    const at = calls.room(text.length);
+    new Float64Array(calls.memory.buffer, calls.numbers(), numbers.length).set(numbers);
+    new Uint8Array(calls.memory.buffer, at, text.length).set(text);
+    const length = calls.sketch(1);
+    return JSON.parse(new TextDecoder().decode(new Uint8Array(calls.memory.buffer, calls.text(), length)));
+  };
+}
+
+// Seconds of processor time, so that what else the machine does counts little.
+export function timed(work) {
+  const start = process.cpuUsage();
+  const value = work();
+  const { user, system } = process.cpuUsage(start);
+  return { value, seconds: (user + system) / 1e6 };
+}
+
+// Error and seconds of the search of the program in `build`.
+export function byProgram(build, problem) {
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), "cognate-sketch-")), file = path.join(folder, "sketch.toml");
+  fs.writeFileSync(file, problemToml(problem));
+  try {
+    const result = JSON.parse(execFileSync(path.join(build, "app/cognate"), ["solve", "--json", "--threads", "1", file], { maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "ignore"] }));
+    return { error: result.designs[0].error.rms, seconds: result.work.seconds };
+  } catch { return { error: Infinity, seconds: NaN }; } finally { fs.rmSync(folder, { recursive: true }); }
+}
+
+const sorted = (values) => [...values].sort((a, b) => a - b);
+export const median = (values) => sorted(values)[values.length >> 1];
