@@ -68,12 +68,18 @@ double squared_stray(const ScaledChain& problem, const synthesis::ChainDesign& d
   TracedPoint traced(problem, design);
   const double turn = angles.back() > angles.front() ? kTurn : -kTurn;
   const auto ways = ways_between(targets, problem.closed);
+  std::vector<double> missed;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    missed.push_back(norm(traced.at(angles[i]) - targets[i]));
+  }
   double sum = 0;
   for (std::size_t i = 0; i < ways.size(); ++i) {
     const bool is_last = i + 1 == targets.size();
-    const Vec2d &from = targets[i], &to = targets[is_last ? 0 : i + 1];
-    const double begin = angles[i], end = is_last ? angles.front() + turn : angles[i + 1];
-    const double free = kBulge * longest_beside(ways, i, problem.closed);
+    const std::size_t next = is_last ? 0 : i + 1;
+    const Vec2d &from = targets[i], &to = targets[next];
+    const double begin = angles[i], end = is_last ? angles.front() + turn : angles[next];
+    const double free =
+        kBulge * longest_beside(ways, i, problem.closed) + std::max(missed[i], missed[next]);
     for (const double share : kPlaces) {
       const Vec2d point = traced.at(begin + share * (end - begin));
       const double beyond = distance_to_segment(point, from, to) - free;

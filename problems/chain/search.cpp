@@ -171,16 +171,18 @@ class ChainExplorer {
 
   void fit_and_add(std::vector<ChainFitState> states) {
     fit(states);
-    search_.for_each(states.size(), [&](std::size_t i) { states[i].cost += stray(states[i]); });
+    search_.for_each(states.size(), [&](std::size_t i) { note_stray(states[i]); });
     std::vector<Candidate> fresh;
     for (ChainFitState& state : states) fresh.push_back({std::move(state)});
     search_.add(std::move(fresh), kSameChain);
     search_.keep(kKept);
   }
 
-  double stray(const ChainFitState& state) const {
-    if (!std::isfinite(state.cost)) return 0;
-    return squared_stray(problem_, state.design, fitted_points_, state.angles);
+  /// Of both ways, from the targets to the curve and back, the worse counts.
+  void note_stray(ChainFitState& state) const {
+    if (!std::isfinite(state.cost)) return;
+    state.cost =
+        std::max(state.cost, squared_stray(problem_, state.design, fitted_points_, state.angles));
   }
 
   /// An exact design is known as such by its refinement alone.
@@ -304,11 +306,11 @@ void refine_all(std::vector<ChainMinimum>& designs, const Solve& options, const 
     work.solver_iterations += static_cast<std::uint64_t>(to.iterations);
     designs[i].design = to.design;
     designs[i].angles = to.angles;
-    const auto& points = designs[i].problem->points;
-    const double stray = to.objective > kMetCost
-                             ? squared_stray(*designs[i].problem, to.design, points, to.angles)
-                             : 0;
-    designs[i].rms = std::sqrt(to.objective + stray);
+    const ScaledChain& problem = *designs[i].problem;
+    const bool is_exact = to.objective <= kMetCost;
+    const double stray =
+        is_exact ? 0 : squared_stray(problem, to.design, problem.points, to.angles);
+    designs[i].rms = std::sqrt(std::max(to.objective, stray));
   }
 }
 

@@ -15,7 +15,7 @@ struct ChainMinimum {
   const ScaledChain* problem = nullptr;
   synthesis::ChainDesign design;
   std::vector<double> angles;  ///< of the crank at the targets, radians
-  double rms = 0;  ///< distance from the targets, and what strays between them, root mean square
+  double rms = 0;  ///< distance from the targets, or stray between them if more; root mean square
 };
 
 struct ChainSearchResult {
