@@ -24,6 +24,7 @@ const POSES = [[[0.22, 0.62], [0.3, 0.62]], [[0.33, 0.42], [0.4, 0.38]], [[0.52,
 // `draw`: strokes, in shares of the sheet, after a click on `begin`. `click`: a choice about the picture. `press`: the extra layers of the picture. `drive`: where the mechanism stands, in degrees or length. `show`: how far down the picture goes.
 const PICTURES = [
   { name: "sketch", command: "sketch", file: "sketch", draw: [DROP], drive: 150, show: "#stage" },
+  { name: "sketch-front", command: "sketch", file: "sketch", draw: [DROP], only: "#front" },
   { name: "sketch-poses", command: "sketch", file: "sketch", begin: "#of-poses", draw: POSES, drive: 80, show: "#stage" },
   { name: "report", command: "solve", file: "path/ten-point-ellipse" },
   { name: "report-dark", command: "solve", file: "path/ten-point-ellipse", scheme: "dark" },
@@ -68,8 +69,8 @@ async function drawStrokes(page, strokes) {
     for (const point of stroke) await page.mouse.move(...at(point));
     await page.mouse.up();
   }
-  // Until the longest search has ended.
-  await page.waitForFunction(() => document.querySelectorAll(".design-card").length === 3 && /\.$/.test(document.getElementById("state").textContent));
+  // Until the longest search and the front have ended.
+  await page.waitForFunction(() => document.querySelectorAll(".design-card").length === 3 && /^The least error/.test(document.getElementById("front-note").textContent), undefined, { timeout: 240000 });
 }
 
 // Writes the page of a picture into `folder`.
