@@ -49,8 +49,11 @@ objectives = ["error", "links"]
 def solve(program, folder, letter, arguments):
     """Seconds that the search took."""
     points, closed = strokes.pen_path(letter, POINTS)
+    points = np.round(points, 6)
+    # Where the pen turns back, two neighbours may be one.
+    points = points[np.append(True, np.any(np.diff(points, axis=0) != 0, axis=1))]
     file = folder / f"{letter}.toml"
-    file.write_text(FILE.format(letter=letter, points=np.round(points, 6).tolist(), closed=str(closed).lower(),
+    file.write_text(FILE.format(letter=letter, points=points.tolist(), closed=str(closed).lower(),
                                 least=TRANSMISSION, greatest=180 - TRANSMISSION), encoding="utf-8")
     subprocess.run([program, "solve", "--quiet", "--seed", str(arguments.seed), "--time-limit",
                     str(arguments.seconds), file.name], cwd=folder, stdout=subprocess.DEVNULL, check=False)
@@ -76,6 +79,10 @@ def designs(folder, letter):
     return found, result["work"]["seconds"]
 
 
+def percent(distance):
+    return f"{100 * distance:.2g} %" if distance >= 1e-4 else "< 0.01 %"
+
+
 def outline(curve):
     return "M" + "L".join(f"{z.real:.3f} {-z.imag:.3f}" for z in curve)
 
@@ -85,11 +92,11 @@ def drawing(letter, found, links):
     pen, closed = strokes.pen_path(letter, 200)
     target = outline(pen @ (1, 1j)) + ("Z" if closed else "")
     paths = f'<path class="target" d="{target}"/>'
-    caption = "none found"
+    caption = "no nearer"
     if links in found:
         writing, _, distance = found[links]
         paths += f'<path class="curve" d="{outline(writing[::8])}"/>'
-        caption = f"{100 * distance:.2g} %"
+        caption = percent(distance)
     return (f'<figure><svg viewBox="-0.7 -1.15 1.4 1.3" role="img" aria-label="{letter}, {links} links">{paths}</svg>'
             f"<figcaption>{html.escape(caption)}</figcaption></figure>")
 
@@ -144,7 +151,7 @@ def picture(all_found, path):
             if links in found:
                 writing, _, distance = found[links]
                 axis.plot(writing.real, writing.imag, color="#c2410c", lw=1.1)
-                axis.text(0, -0.26, f"{100 * distance:.2g} %", ha="center", size=8)
+                axis.text(0, -0.26, percent(distance), ha="center", size=8)
             if k % columns == 0:
                 axis.text(-0.9, 0.5, f"{links} links", rotation=90, va="center", ha="center", size=9)
     figure.subplots_adjust(0.025, 0.01, 1, 0.99, 0.02, 0.05)
