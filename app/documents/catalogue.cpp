@@ -45,6 +45,9 @@ constexpr Metric kKindMetrics[] = {
     {"longest_link", "length",
      "of crank, coupler, rocker and frame (chains: of the crank and the links of the dyads), if "
      "size is an objective"},
+    {"stray_between_points", "length",
+     "how far a path strays from the ways between its points, root mean square, beyond what it "
+     "misses at them and half of the way (chains, free timing)"},
     {"link_count", "1", "links of a chain, the frame among them, if their number is an objective"},
     {"transmission_NAME_min_deg", "deg",
      "minimum of the transmission angle and its supplement of the dyad whose joint is NAME "

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -20,7 +21,8 @@
 namespace cognate::problems {
 namespace {
 
-constexpr double kSameError = 1e-9;  ///< relative differences up to this are what fits leave open
+constexpr double kSameError = 1e-9;   ///< relative differences up to this are what fits leave open
+constexpr double kSameLevels = 1e-3;  ///< of a front's: levels that differ by less are one
 /// Of each search along a front but the first, which have the designs beside them to go on from.
 constexpr int kStartsAlong = 2048;
 constexpr int kMinimaAlong = 6;  ///< under each bound, from which its neighbours are begun
@@ -40,6 +42,14 @@ bool is_sound(const Result& found) {
 /// The error of designs that meet the target to rounding.
 double met_error(const ChainPathProblem& problem) {
   return kMetError * TargetScale(problem.points).size;
+}
+
+/// By which searches order designs: the error, or the stray between targets if that is more, but
+/// where the targets are met.
+double ranked_error(const ChainPathProblem& problem, const Design& design) {
+  const double rms = design.error.rms;
+  if (rms <= met_error(problem)) return rms;
+  return std::max(rms, find_quantity(design.metrics.quantities, kStrayKey).value_or(0));
 }
 
 void add_work(const Work& done, Work& work) {
@@ -87,8 +97,7 @@ class LinkFront {
 
   Result result() && {
     for (const auto& [links, topologies] : by_count_) {
-      const bool is_met =
-          !points_.empty() && points_.front().design.error.rms <= met_error(problem_);
+      const bool is_met = !points_.empty() && best() <= met_error(problem_);
       if (is_met || deadline_.reached()) break;
       search(links, topologies);
     }
@@ -119,18 +128,25 @@ class LinkFront {
     is_cut_short_ = is_cut_short_ || found.status == Status::time_limit;
     if (is_sound(found)) {
       take(links, std::move(found.designs.front()));
-    } else if (points_.empty()) {
-      nearest_ = std::move(found);
+      return;
     }
+    if (!is_cut_short_) {
+      notes_.push_back(fmt::format("No chain of {} links was found within the limits.", links));
+    }
+    const double least =
+        nearest_.designs.empty() ? kInfinity : ranked_error(problem_, nearest_.designs.front());
+    if (found.designs.empty() || ranked_error(problem_, found.designs.front()) > least) return;
+    nearest_ = std::move(found);
   }
+
+  double best() const { return ranked_error(problem_, points_.front().design); }
 
   /// More links are worth their price where they come nearer.
   void take(int links, Design design) {
-    const double most = points_.empty() ? kInfinity : points_.front().design.error.rms;
-    if (design.error.rms < (1 - kSameError) * most) {
+    if (points_.empty() || ranked_error(problem_, design) < (1 - kSameError) * best()) {
       design.metrics.quantities.push_back({std::string(kLinksColumn), double(links)});
       points_.insert(points_.begin(), {std::move(design), double(links)});
-    } else {
+    } else if (!is_cut_short_) {
       notes_.push_back(
           fmt::format("No chain of {} links was found that comes nearer than one of "
                       "fewer.",
@@ -151,6 +167,16 @@ class LinkFront {
   int searched_ = 0;
   bool is_cut_short_ = false;
 };
+
+/// Points whose levels differ by less than a thousandth of the front's are one, that of less error.
+std::vector<synthesis::FrontPoint> spread(const std::vector<synthesis::FrontPoint>& points) {
+  std::vector<synthesis::FrontPoint> apart;
+  for (const auto& point : points) {
+    const double least = kSameLevels * (points.back().level - points.front().level);
+    if (apart.empty() || point.level - apart.back().level > least) apart.push_back(point);
+  }
+  return apart;
+}
 
 /// The front of a measure that has any value, by a row of bounds.
 class BoundedFront {
@@ -177,7 +203,7 @@ class BoundedFront {
       search.fill(problem_.solve.designs);
     }
     std::vector<Point> points;
-    for (const auto& point : search.points()) {
+    for (const auto& point : spread(search.points())) {
       Design& design = all_[point.design().number];
       check_own_limit(design);
       points.push_back({std::move(design), rule_.shown(point.design().value)});
@@ -206,7 +232,8 @@ class BoundedFront {
     std::vector<synthesis::FrontDesign> designs;
     if (is_sound(found) && (is_first || !deadline_.reached())) {
       for (const Design& design : found.designs) {
-        designs.push_back({all_.size(), rule_.value(problem_, design), design.error.rms});
+        designs.push_back(
+            {all_.size(), rule_.value(problem_, design), ranked_error(problem_, design)});
         all_.push_back(design);
       }
     }

@@ -48,7 +48,7 @@ std::vector<ChainMinimum> known_starts(const std::vector<Design>& known,
     if (chain->timed()) angles = {angles.front() - chain->crank_angles.front()};
     const auto dimensions_known = dimensions(*chain->topology, design.mechanism);
     starts.push_back({&*chain, within_bounds(*chain, scale.into(chain->chain, dimensions_known)),
-                      std::move(angles), design.error.rms / scale.size});
+                      std::move(angles), design.error.rms / scale.size, 0});
   }
   return starts;
 }

@@ -34,12 +34,12 @@ constexpr double kBetweenChecks = 0.004;
 constexpr std::size_t kKept = 40;     ///< minima kept while searching
 constexpr std::size_t kRefined = 12;  ///< of which so many are refined
 constexpr double kHopShare = 0.6;     ///< of the starts that disturb a design known
-constexpr double kMetCost = 1e-20;    ///< mean squared distance that is rounding
-constexpr double kEnough = 1e-11;     ///< and that no workshop can measure
-constexpr double kNearlyMet = 1e-8;   ///< from here on the best is refined at once
-constexpr double kSameChain = 1e-3;   ///< of parameters: designs closer than this are one
-constexpr double kOneValley = 0.25;   ///< closer than this they are in one valley, of which
-constexpr int kMostOfValley = 3;      ///< so many are kept
+constexpr double kMetCost = ChainMinimum::kMet * ChainMinimum::kMet;
+constexpr double kEnough = 1e-11;    ///< and that no workshop can measure
+constexpr double kNearlyMet = 1e-8;  ///< from here on the best is refined at once
+constexpr double kSameChain = 1e-3;  ///< of parameters: designs closer than this are one
+constexpr double kOneValley = 0.25;  ///< closer than this they are in one valley, of which
+constexpr int kMostOfValley = 3;     ///< so many are kept
 
 struct ChainRules {
   using Candidate = struct Kept {
@@ -145,7 +145,7 @@ class ChainExplorer {
     for (const Candidate& one : search_.all()) {
       if (all.size() == kRefined) break;
       all.push_back({&problem_, one.state.design, targets_.at_all(problem_, one.state.angles),
-                     std::sqrt(one.state.cost)});
+                     std::sqrt(one.state.cost), 0});
     }
     return all;
   }
@@ -307,10 +307,8 @@ void refine_all(std::vector<ChainMinimum>& designs, const Solve& options, const 
     designs[i].design = to.design;
     designs[i].angles = to.angles;
     const ScaledChain& problem = *designs[i].problem;
-    const bool is_exact = to.objective <= kMetCost;
-    const double stray =
-        is_exact ? 0 : squared_stray(problem, to.design, problem.points, to.angles);
-    designs[i].rms = std::sqrt(std::max(to.objective, stray));
+    designs[i].rms = std::sqrt(to.objective);
+    designs[i].stray = std::sqrt(squared_stray(problem, to.design, problem.points, to.angles));
   }
 }
 
@@ -345,7 +343,7 @@ ChainSearchResult search_chains(const std::vector<ScaledChain>& problems, const 
     std::ranges::move(one.found(), std::back_inserter(result.designs));
   }
   refine_all(result.designs, options, run, deadline, work);
-  std::ranges::stable_sort(result.designs, {}, &ChainMinimum::rms);
+  std::ranges::stable_sort(result.designs, {}, &ChainMinimum::rank);
   for (const ChainExplorer& one : explorers) {
     if (result.designs.empty() || &one.problem() != result.designs.front().problem) continue;
     result.statistics = one.search().statistics(synthesis::kBestMinima);

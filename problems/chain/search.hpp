@@ -2,6 +2,8 @@
 /// target, fitted in lanes, and the best refined within their limits.
 #pragma once
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "problems/chain/scaled.hpp"
@@ -15,7 +17,15 @@ struct ChainMinimum {
   const ScaledChain* problem = nullptr;
   synthesis::ChainDesign design;
   std::vector<double> angles;  ///< of the crank at the targets, radians
-  double rms = 0;  ///< distance from the targets, or stray between them if more; root mean square
+  double rms = 0;              ///< distance from the targets, root mean square
+  double stray = 0;            ///< between the targets, root mean square; see `squared_stray`
+
+  /// Up to this the targets are met, but for rounding.
+  static constexpr double kMet = 1e-10;
+
+  /// By what designs are ordered: the worse of both. Those that meet the targets come first, by
+  /// their stray.
+  std::pair<double, double> rank() const { return {rms <= kMet ? 0 : std::max(rms, stray), stray}; }
 };
 
 struct ChainSearchResult {

@@ -70,6 +70,9 @@ std::vector<Design> designs_of(const ChainPathProblem& problem, const TargetScal
     auto mechanism = named(topology, scale.out_of(one.problem->chain, one.design));
     Design design = verified(problem, topology, std::move(mechanism), angles_of_targets(one));
     if (!std::isfinite(design.error.sum_of_squares)) continue;
+    if (one.stray > 0) {
+      design.metrics.quantities.push_back(quantity(kStrayKey, scale.size * one.stray));
+    }
     const bool is_feasible = all_satisfied(design.constraints);
     auto& taken = is_feasible ? taken_feasible : taken_others;
     if (is_known(taken, one)) continue;
@@ -262,8 +265,8 @@ Result solve(const ChainPathProblem& given, const Run& run) {
     result.notes.emplace_back(
         is_given(problem)
             ? "The chain given cannot be assembled at every target point; change its dimensions."
-            : "No chain was found that closes at every target point; wider bounds or more starts "
-              "may help.");
+            : "No chain was found that closes at every target point within the limits; wider "
+              "bounds or limits or more starts may help.");
   }
   add_chain_tolerances(problem, run, result);
   result.work.threads = thread_count(run.threads);

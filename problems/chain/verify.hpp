@@ -6,10 +6,14 @@
 #include <vector>
 
 #include "analysis/mechanism/assembly_ranges.hpp"
+#include "problems/basics/quantity_key.hpp"
 #include "problems/chain/problem.hpp"
 #include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
+
+/// How far the curve strays between the targets, root mean square, where it does.
+inline constexpr QuantityKey<double> kStrayKey{"stray_between_points"};
 
 /// `mechanism`, of the topology, with its errors at the crank angles `angles` (one for each target,
 /// in order), the transmission angles of each joint over the motion limited, defects and checks.

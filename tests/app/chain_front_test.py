@@ -63,6 +63,39 @@ def front_of(result):
     return [column["values"] for column in family["columns"]]
 
 
+def unrolled(cranks):
+    """Angles of one turn as they follow one another, in the sense in which they turn less."""
+    ways = []
+    for sense in (1, -1):
+        ways.append([cranks[0]])
+        for before, after in zip(cranks, cranks[1:]):
+            step = (sense * (after - before) + 1e-7) % (2 * math.pi) - 1e-7
+            ways[-1].append(ways[-1][-1] + sense * step)
+    return min(ways, key=lambda way: abs(way[-1] - way[0]))
+
+
+def to_segment(point, start, end):
+    share = ((point - start) / (end - start)).real if end != start else 0
+    return abs(point - start - min(1, max(0, share)) * (end - start))
+
+
+def stray(chain, points, cranks):
+    """What the closed curve strays between points beyond what it misses and half of the ways beside."""
+    angles = unrolled(cranks)
+    count = len(points)
+    angles.append(angles[0] + math.copysign(2 * math.pi, angles[-1] - angles[0]))
+    missed = [abs(a - b) for a, b in zip(chain.path("P", angles[:-1]), points)]
+    ways = [abs(points[(i + 1) % count] - points[i]) for i in range(count)]
+    squares = []
+    for i in range(count):
+        following = (i + 1) % count
+        free = max(ways[i - 1], ways[i], ways[following]) / 2 + max(missed[i], missed[following])
+        for share in (0.25, 0.5, 0.75):
+            point = chain.places(angles[i] + share * (angles[i + 1] - angles[i]))["P"]
+            squares.append(max(0, to_segment(point, points[i], points[following]) - free) ** 2)
+    return math.sqrt(sum(squares) / len(squares))
+
+
 class ChainFronts(unittest.TestCase):
     def check_errors(self, result, points):
         """The error of each design is that of its closure, and the front's."""
@@ -74,6 +107,9 @@ class ChainFronts(unittest.TestCase):
             rms = math.sqrt(sum(abs(a - b) ** 2 for a, b in zip(reached, points)) / len(points))
             self.assertAlmostEqual(rms, error, delta=1e-6 * abs(points[0]) + 1e-6 * error)
             self.assertEqual(design["error"]["rms"], error)
+            strays = stray(chain, points, [math.radians(angle) for angle in design["crank_deg"]])
+            self.assertAlmostEqual(design["metrics"].get("stray_between_points", 0), strays,
+                                   delta=1e-6 * max(abs(z) for z in points))
             self.assertTrue(all(check["satisfied"] for check in design["constraints"]))
 
     def check_is_front(self, measures, errors, greatest_is_best):
@@ -101,6 +137,19 @@ class ChainFronts(unittest.TestCase):
         self.assertEqual([design["metrics"]["link_count"] for design in result["designs"]], links)
         for design, count in zip(result["designs"], links):
             self.assertEqual(2 + 2 * len(design["mechanism"]["dyad"]), count)
+
+    def test_of_designs_that_meet_the_points_the_first_strays_least(self):
+        half = [1.3, 0.707 + 0.407j, -0.3 + 1j, -0.707 + 1.007j]
+        points = [*half, -0.7, *(z.conjugate() for z in half[:0:-1])]
+        text = file_of([complex(z) for z in points], "six-bar", "size", 0, "designs = 12\nstarts = 64")
+        text = text.replace("[0.2, 12]", "[0.1, 3]").replace('objectives = ["error", "size"]', "")
+        designs = solved(text)["designs"]
+        self.assertGreater(len(designs), 2)
+        strays = [design["metrics"].get("stray_between_points", 0) for design in designs
+                  if design["error"]["rms"] < 1e-11]
+        self.assertGreater(len(strays), 1)
+        self.assertGreater(strays[-1], 0)
+        self.assertEqual(strays, sorted(strays))
 
     def test_better_transmission_costs_error(self):
         result = front_by_transmission()

@@ -8,7 +8,7 @@ const FACT_WORDS = { min: say("fact.least"), max: say("fact.greatest"), N_m: say
 const NO_ANGLE = 1e-9;
 
 // Facts that are lengths, whose names have no unit.
-const LENGTH_FACTS = /^(output_stroke|circuit_stroke|stroke|half_band|apart|output_start|longest_link|size|curve_length|curve_width_(min|max)|straight_length|deviation|target_length|stride|step_height)$/;
+const LENGTH_FACTS = /^(output_stroke|circuit_stroke|stroke|half_band|apart|output_start|longest_link|size|curve_length|curve_width_(min|max)|straight_length|deviation|target_length|stride|step_height|stray_between_points)$/;
 
 // Shares of a segment's length to which it is straight, as names end.
 const STRAIGHTNESS = { _at_0_001: "fact.to_0_001", _at_0_01: "fact.to_0_01" };
