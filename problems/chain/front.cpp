@@ -125,7 +125,8 @@ class LinkFront {
     if (run_.time_limit) part.time_limit = deadline_.remaining() / left;
     Result found = solve_(own, part, Deadline(part));
     add_work(found.work, work_);
-    is_cut_short_ = is_cut_short_ || found.status == Status::time_limit;
+    const bool is_cut = found.status == Status::time_limit || found.status == Status::interrupted;
+    is_cut_short_ = is_cut_short_ || is_cut;
     if (is_sound(found)) {
       take(links, std::move(found.designs.front()));
       return;
@@ -147,10 +148,8 @@ class LinkFront {
       design.metrics.quantities.push_back({std::string(kLinksColumn), double(links)});
       points_.insert(points_.begin(), {std::move(design), double(links)});
     } else if (!is_cut_short_) {
-      notes_.push_back(
-          fmt::format("No chain of {} links was found that comes nearer than one of "
-                      "fewer.",
-                      links));
+      notes_.push_back(fmt::format(
+          "No chain of {} links was found that comes nearer than one of fewer.", links));
     }
   }
 
