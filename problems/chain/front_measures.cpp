@@ -28,7 +28,8 @@ double longest_length(const ChainPathProblem& problem, const Design& design) {
   for (const auto& [line, parameter] : synthesis::placed_lines(chain_of(topology))) {
     if (!synthesis::has_lengths(line.type)) continue;
     for (int i = 0; i < synthesis::parameter_count(line.type); ++i) {
-      longest = std::max(longest, chain.parameters[static_cast<std::size_t>(parameter + i)]);
+      const int place = parameter + i;
+      longest = std::max(longest, chain.parameters[static_cast<std::size_t>(place)]);
     }
   }
   return longest;

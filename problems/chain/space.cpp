@@ -44,7 +44,8 @@ synthesis::ChainDesign converted(const TargetScale& scale, const synthesis::Chai
   for (const auto& [line, parameter] : placed_lines(chain)) {
     for (int i = 0; i < synthesis::parameter_count(line.type); ++i) {
       const ParameterScale own = scale_of(scale, parameter_role(line.type, i));
-      double& value = design.parameters[static_cast<std::size_t>(parameter + i)];
+      const int place = parameter + i;
+      double& value = design.parameters[static_cast<std::size_t>(place)];
       value = (own.*other)(value);
     }
   }
