@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
+#include "problems/chain/front/read.hpp"
 #include "problems/chain/problem.hpp"
 #include "problems/chain/raster/axes.hpp"
-#include "problems/chain/read_against.hpp"
 #include "problems/chain/read_design.hpp"
 #include "problems/chain/read_target.hpp"
 #include "problems/chain/read_tolerances.hpp"
@@ -126,8 +126,9 @@ ChainPathProblem KindTraits<ChainPathProblem>::read(reading::TableReader& docume
   problem.tolerances = read_chain_tolerances(document, problem.topologies, "length");
   read_robust(tables.solve, robust_refusal(problem), problem.solve);
   read_against(tables.solve, problem);
-  problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies),
-                                      layers_max_refusal(problem));
+  problem.layers =
+      read_design_layers(document, tables.constraints, links_of(problem.topologies),
+                         problem.against ? kNoLayersOfFronts : layers_max_refusal(problem.solve));
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
     table->finish();

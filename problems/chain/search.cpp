@@ -11,11 +11,11 @@
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/parallel.hpp"
 #include "analysis/numbers/random.hpp"
-#include "problems/chain/alignment.hpp"
 #include "problems/chain/between_targets.hpp"
 #include "problems/chain/chosen_targets.hpp"
-#include "problems/chain/draw.hpp"
 #include "problems/chain/refine.hpp"
+#include "problems/chain/starts/alignment.hpp"
+#include "problems/chain/starts/draw.hpp"
 #include "synthesis/chain/chain_fit.hpp"
 
 namespace cognate::problems {
@@ -34,7 +34,7 @@ constexpr double kBetweenChecks = 0.004;
 constexpr std::size_t kKept = 40;     ///< minima kept while searching
 constexpr std::size_t kRefined = 12;  ///< of which so many are refined
 constexpr double kHopShare = 0.6;     ///< of the starts that disturb a design known
-constexpr double kMetCost = ChainMinimum::kMet * ChainMinimum::kMet;
+constexpr double kMetCost = kMetError * kMetError;
 constexpr double kEnough = 1e-11;    ///< and that no workshop can measure
 constexpr double kNearlyMet = 1e-8;  ///< from here on the best is refined at once
 constexpr double kSameChain = 1e-3;  ///< of parameters: designs closer than this are one
@@ -178,9 +178,12 @@ class ChainExplorer {
     search_.keep(kKept);
   }
 
-  /// Of both ways, from the targets to the curve and back, the worse counts.
+  /// Of both ways, from the targets to the curve and back, the worse counts; of a state that is
+  /// worse than those kept either way need not be known.
   void note_stray(ChainFitState& state) const {
-    if (!std::isfinite(state.cost)) return;
+    const bool is_full = search_.all().size() == kKept;
+    const double worst = is_full ? search_.all().back().state.cost : kInfinity;
+    if (!(state.cost < worst)) return;
     state.cost =
         std::max(state.cost, squared_stray(problem_, state.design, fitted_points_, state.angles));
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "problems/chain/scaled.hpp"
+#include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/result.hpp"
 #include "synthesis/search/multi_start.hpp"
 
@@ -20,12 +21,11 @@ struct ChainMinimum {
   double rms = 0;              ///< distance from the targets, root mean square
   double stray = 0;            ///< between the targets, root mean square; see `squared_stray`
 
-  /// Up to this the targets are met, but for rounding.
-  static constexpr double kMet = 1e-10;
-
   /// By what designs are ordered: the worse of both. Those that meet the targets come first, by
   /// their stray.
-  std::pair<double, double> rank() const { return {rms <= kMet ? 0 : std::max(rms, stray), stray}; }
+  std::pair<double, double> rank() const {
+    return {rms <= kMetError ? 0 : std::max(rms, stray), stray};
+  }
 };
 
 struct ChainSearchResult {

@@ -7,7 +7,7 @@
 
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
-#include "problems/chain/draw.hpp"
+#include "problems/chain/starts/draw.hpp"
 #include "synthesis/chain/sweep.hpp"
 
 namespace cognate::problems {

@@ -133,10 +133,7 @@ std::string_view layers_max_refusal(const Solve& solve) {
     return "is given with robust, but those designs are the best for any number of layers; remove "
            "one of them";
   }
-  if (solve.objectives.size() > 1) {
-    return "is given with two objectives, but the designs of a front are the best for any number "
-           "of layers; expected one objective, or none";
-  }
+  if (solve.objectives.size() > 1) return kNoLayersOfFronts;
   return {};
 }
 

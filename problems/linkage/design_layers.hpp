@@ -19,6 +19,11 @@ enum class DesignSource { exact, search };
 /// The part of its drive over which a design is drawn and layered: see drive_span.hpp.
 std::optional<DriveSpan> motion_span(const Design& design);
 
+/// Why a front takes no `layers_max`.
+inline constexpr std::string_view kNoLayersOfFronts =
+    "is given with two objectives, but the designs of a front are the best for any number of "
+    "layers; expected one objective, or none";
+
 /// Why a problem so solved takes no `layers_max`; empty where it does.
 std::string_view layers_max_refusal(const Solve& solve);
 

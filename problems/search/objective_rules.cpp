@@ -88,14 +88,6 @@ constexpr auto kOverCycle = cycle_rules(std::make_index_sequence<kCycleQuantitie
 
 }  // namespace
 
-double ObjectiveRule::level(double value) const {
-  return greatest_is_best ? value : -std::log(value);
-}
-
-double ObjectiveRule::value_at(double level) const {
-  return greatest_is_best ? level : std::exp(-level);
-}
-
 double ObjectiveRule::shown(double value) const {
   return column.find("_deg") != std::string_view::npos ? degrees(value) : value;
 }

@@ -29,10 +29,6 @@ struct ObjectiveRule {
   /// Lets `limits` allow no design worse than `value`; false where they then allow none at all.
   bool (*limit)(DesignLimits& limits, double value);
 
-  /// A number that grows as designs get better, so that equal steps of it are equal gains: the
-  /// angle; the logarithm of a ratio or length, negative.
-  double level(double value) const;
-  double value_at(double level) const;
   /// As tables say it, degrees for angles.
   double shown(double value) const;
 };

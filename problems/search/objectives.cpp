@@ -34,11 +34,7 @@ class FrontDesigns {
       : task_(task), rule_(rule_of(task.measure)), deadline_(deadline) {}
 
   synthesis::FrontProblem problem() {
-    return {{.greatest_is_best = rule_.greatest_is_best,
-             .best = rule_.best,
-             .level = [this](double value) { return rule_.level(value); },
-             .value_at = [this](double level) { return rule_.value_at(level); }},
-            task_.met,
+    return {synthesis::measure_of_values(rule_.greatest_is_best, rule_.best), task_.met,
             [this](std::optional<double> bound, const std::vector<std::size_t>& known,
                    std::optional<std::uint64_t> seed) { return solve(bound, known, seed); }};
   }

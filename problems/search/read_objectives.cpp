@@ -83,9 +83,7 @@ void check_company(TableReader& table, const ObjectiveScope& scope, bool front, 
                                       "objectives need; every other solver can",
                                       to_string(solve.solver)));
   }
-  if (front && table.has("designs") && solve.designs < 2) {
-    table.fault("designs", "is 1, but a front has two ends; expected at least 2");
-  }
+  if (front) read_front_designs(table, solve);
   if (!front && table.has("designs") && solve.designs != 1) {
     table.fault("designs",
                 "is more than 1 with an objective that one design has best; remove it, or add "
@@ -110,6 +108,14 @@ std::optional<ErrorLimit> read_error_limit(TableReader& constraints, ErrorMeasur
   return limit;
 }
 
+void read_front_designs(TableReader& table, Solve& solve) {
+  constexpr std::string_view kDesigns = "designs";
+  if (!table.has(kDesigns)) solve.designs = kFrontDesigns;
+  if (solve.designs < 2) {
+    table.fault(kDesigns, "is 1, but a front has two ends; expected at least 2");
+  }
+}
+
 void read_objectives(TableReader& constraints_table, TableReader& solve_table,
                      const ObjectiveScope& scope, Constraints& constraints, Solve& solve) {
   if (const auto limit = read_error_limit(constraints_table, scope.error)) {
@@ -130,7 +136,7 @@ void read_objectives(TableReader& constraints_table, TableReader& solve_table,
                                         "expected constraints.{}, or \"error\" as well",
                                         to_string(scope.error)));
   }
-  if (!solve_table.has("designs")) solve.designs = front ? kFrontDesigns : 1;
+  if (!front && !solve_table.has("designs")) solve.designs = 1;
 }
 
 }  // namespace cognate::problems::reading

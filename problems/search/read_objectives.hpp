@@ -22,6 +22,9 @@ struct ObjectiveScope {
 /// problem; the others are faults.
 std::optional<ErrorLimit> read_error_limit(TableReader& constraints, ErrorMeasure measure);
 
+/// The number of designs of a front: at least 2, by default 12.
+void read_front_designs(TableReader& solve_table, Solve& solve);
+
 /// That limit of `[constraints]`, and `solve.objectives`; with a front, `solve.designs` is 12 by
 /// default. The rest of both tables has been read.
 void read_objectives(TableReader& constraints_table, TableReader& solve_table,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "analysis/numbers/constants.hpp"
@@ -27,6 +28,12 @@ bool is_as_good(const FrontPoint& a, const FrontPoint& b) {
 }
 
 }  // namespace
+
+FrontMeasure measure_of_values(bool greatest_is_best, double best) {
+  if (greatest_is_best) return {true, best, std::identity{}, std::identity{}};
+  return {false, best, [](double value) { return -std::log(value); },
+          [](double level) { return std::exp(-level); }};
+}
 
 void FrontPoint::add_minima(std::vector<std::size_t>& known) const {
   for (std::size_t i = 0; i < std::min(minima.size(), kStarts); ++i) {

@@ -32,6 +32,10 @@ struct FrontMeasure {
   std::function<double(double level)> value_at;
 };
 
+/// Levels of angles, of which the greatest is best: the values themselves; or of lengths and
+/// ratios, of which the least is: their negative logarithms. `best`: as in FrontMeasure.
+FrontMeasure measure_of_values(bool greatest_is_best, double best);
+
 /// A problem with a second measure, as the search along its front sees it.
 struct FrontProblem {
   FrontMeasure measure;

@@ -24,7 +24,7 @@ cognate_page_kernel(design_kernel ${problem_reader} ${mechanism_evaluator} ${ana
   problems/chain/output/space.cpp
   problems/chain/places.cpp
   problems/chain/read.cpp
-  problems/chain/read_against.cpp
+  problems/chain/front/read.cpp
   problems/chain/read_design.cpp
   problems/chain/read_parts.cpp
   problems/chain/read_structure.cpp

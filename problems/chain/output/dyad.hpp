@@ -7,8 +7,8 @@
 #include <optional>
 #include <span>
 
-#include "problems/chain/draw.hpp"
 #include "problems/chain/output/space.hpp"
+#include "problems/chain/starts/draw.hpp"
 
 namespace cognate::problems {
 

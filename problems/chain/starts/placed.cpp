@@ -1,4 +1,4 @@
-#include "problems/chain/placed_starts.hpp"
+#include "problems/chain/starts/placed.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "problems/chain/read_against.hpp"
+#include "problems/chain/front/read.hpp"
 
 #include <fmt/core.h>
 
@@ -7,14 +7,13 @@
 #include <vector>
 
 #include "problems/chain/given.hpp"
-#include "problems/linkage/design_layers.hpp"
+#include "problems/search/read_objectives.hpp"
 #include "problems/toml/nearest.hpp"
 
 namespace cognate::problems::reading {
 namespace {
 
 constexpr std::string_view kKey = "objectives", kDesigns = "designs", kError = "error";
-constexpr int kFrontDesigns = 12;
 
 /// The measure beside the error; none where there is none, or with a fault.
 std::optional<ChainMeasure> read_measure(TableReader& solve) {
@@ -63,10 +62,7 @@ void read_against(TableReader& solve, ChainPathProblem& problem) {
   if (!problem.against || problem.topologies.empty()) return;
   if (const auto why = refusal(problem); !why.empty()) solve.fault(kKey, why);
   if (problem.against != ChainMeasure::links) {
-    if (!solve.has(kDesigns)) problem.solve.designs = kFrontDesigns;
-    if (problem.solve.designs < 2) {
-      solve.fault(kDesigns, "is 1, but a front has two ends; expected at least 2");
-    }
+    read_front_designs(solve, problem.solve);
     return;
   }
   if (is_of_one_count(problem.topologies)) {
@@ -80,12 +76,6 @@ void read_against(TableReader& solve, ChainPathProblem& problem) {
                 "is given with the objective \"links\", which gives one design for each "
                 "number of links; remove it");
   }
-}
-
-std::string_view layers_max_refusal(const ChainPathProblem& problem) {
-  if (!problem.against) return problems::layers_max_refusal(problem.solve);
-  return "is given with two objectives, but the designs of a front are the best for any number of "
-         "layers; expected one objective, or none";
 }
 
 }  // namespace cognate::problems::reading

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "problems/chain/draw.hpp"
 #include "problems/chain/scaled.hpp"
+#include "problems/chain/starts/draw.hpp"
 
 namespace cognate::problems {
 

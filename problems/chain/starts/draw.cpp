@@ -1,4 +1,4 @@
-#include "problems/chain/draw.hpp"
+#include "problems/chain/starts/draw.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "problems/chain/front_measures.hpp"
+#include "problems/chain/front/measures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,31 +51,14 @@ bool limit_length(ChainPathProblem& problem, double greatest) {
 }
 
 constexpr ChainMeasureRule kRules[] = {
-    {ChainMeasure::transmission_angle, "transmission_angle_deg.acute_min",
-     "the least transmission angle", true, kRightAngle, kPi / 36, least_transmission,
-     limit_transmission},
-    {ChainMeasure::size, "longest_link", "the longest link", false, 0, 0.2, longest_length,
-     limit_length}};
+    {ChainMeasure::transmission_angle, "transmission_angle_deg.acute_min", true, kRightAngle,
+     kPi / 36, least_transmission, limit_transmission},
+    {ChainMeasure::size, "longest_link", false, 0, 0.2, longest_length, limit_length}};
 
 }  // namespace
 
-double ChainMeasureRule::level(double value) const {
-  return greatest_is_best ? value : -std::log(value);
-}
-
-double ChainMeasureRule::value_at(double level) const {
-  return greatest_is_best ? level : std::exp(-level);
-}
-
 double ChainMeasureRule::shown(double value) const {
   return greatest_is_best ? degrees(value) : value;
-}
-
-synthesis::FrontMeasure ChainMeasureRule::levels() const {
-  return {.greatest_is_best = greatest_is_best,
-          .best = best,
-          .level = [this](double value) { return level(value); },
-          .value_at = [this](double level) { return value_at(level); }};
 }
 
 const ChainMeasureRule& rule_of(ChainMeasure measure) {

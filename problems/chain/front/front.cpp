@@ -1,4 +1,4 @@
-#include "problems/chain/front.hpp"
+#include "problems/chain/front/front.hpp"
 
 #include <fmt/core.h>
 
@@ -11,7 +11,7 @@
 
 #include "analysis/numbers/constants.hpp"
 #include "problems/chain/found_designs.hpp"
-#include "problems/chain/front_measures.hpp"
+#include "problems/chain/front/measures.hpp"
 #include "problems/chain/space.hpp"
 #include "problems/chain/verify.hpp"
 #include "problems/linkage/error_limit.hpp"
@@ -191,7 +191,7 @@ class BoundedFront {
   Result result() && {
     run_.enter(Phase::front, kUnknownEnd);
     const synthesis::FrontProblem front{
-        rule_.levels(), met_error(problem_),
+        synthesis::measure_of_values(rule_.greatest_is_best, rule_.best), met_error(problem_),
         [this](std::optional<double> bound, const std::vector<std::size_t>& known,
                std::optional<std::uint64_t> seed) { return solve(bound, known, seed); }};
     synthesis::FrontSearch search(front, {run_.seed, deadline_, run_.progress});

@@ -9,7 +9,4 @@ namespace cognate::problems::reading {
 /// Reads the objectives into `problem`, of which all else is known, and the number of designs.
 void read_against(TableReader& solve, ChainPathProblem& problem);
 
-/// Why a front takes no `layers_max`; empty where there is none.
-std::string_view layers_max_refusal(const ChainPathProblem& problem);
-
 }  // namespace cognate::problems::reading

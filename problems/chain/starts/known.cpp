@@ -1,4 +1,4 @@
-#include "problems/chain/known_starts.hpp"
+#include "problems/chain/starts/known.hpp"
 
 #include <algorithm>
 #include <string>

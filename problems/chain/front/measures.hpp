@@ -6,7 +6,6 @@
 
 #include "problems/chain/problem.hpp"
 #include "problems/linkage/result.hpp"
-#include "synthesis/search/pareto_front.hpp"
 
 namespace cognate::problems {
 
@@ -14,20 +13,15 @@ namespace cognate::problems {
 struct ChainMeasureRule {
   ChainMeasure measure;
   std::string_view column;  ///< in tables; in degrees for _deg
-  std::string_view words;   ///< in a sentence
   bool greatest_is_best;
   double best;  ///< which no design passes
-  double step;  ///< between the levels first looked at
+  double step;  ///< between the levels first looked at: radians, or a logarithm
   double (*value)(const ChainPathProblem& problem, const Design& design);
   /// Lets `problem` allow no design worse than `value`; false where it then allows none at all.
   bool (*limit)(ChainPathProblem& problem, double value);
 
-  /// Levels grow as designs get better: angles, or negative logarithms of lengths.
-  double level(double value) const;
-  double value_at(double level) const;
   /// As tables say it.
   double shown(double value) const;
-  synthesis::FrontMeasure levels() const;
 };
 
 const ChainMeasureRule& rule_of(ChainMeasure measure);

@@ -1,4 +1,4 @@
-#include "problems/chain/alignment.hpp"
+#include "problems/chain/starts/alignment.hpp"
 
 #include <algorithm>
 #include <cmath>
