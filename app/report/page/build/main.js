@@ -112,7 +112,7 @@ function settle() {
   if (isOther) analyse(state);
   scene.take(state, answer.motion ?? null, desk.chosen);
   draw();
-  if (isOther) showAnalysed(state); else lists.mark();
+  if (isOther) showAnalysed(state); else if (refused) lists.show(state); else lists.mark();
   showText();
 }
 
@@ -209,6 +209,12 @@ function filmAt(share) {
   goTo(filmed([from, to, round], share), true);
 }
 
+// With the mechanism of the address, if any; of one that is damaged it is said again once the kernel is there.
+function begin() {
+  if (opened === undefined && desk.steps.states.length === 1) refused = say("build.bad_address");
+  settle();
+}
+
 byId("kind").textContent = say("build.name");
 byId("title").textContent = say("build.title");
 document.title = `${say("build.title")} – Cognate`;
@@ -219,17 +225,16 @@ if (!Kernel.available) {
   byId("notes-list").append(element("li", { id: "no-kernel" }, say("build.no_kernel")));
 }
 followTheme(() => results.redraw());
-if (opened === undefined) refused = say("build.bad_address");
 toolbar.show(desk.tool);
 scene.take(desk.state, null, null);
 scene.build();
 listen();
-settle();
+begin();
 controls.start();
 if (Kernel.available) {
   AnalysisKernel.load().then((kernel) => {
     analyst = new Analyst(kernel);
     analysed = null;
-    settle();
+    begin();
   });
 }

@@ -9,9 +9,8 @@ import { say } from "../words.js";
 import { FORCE_SCALE, hullOf } from "./hits.js";
 import { directionOf, driverOf, FRAME, isBlock, isFixed, jointsOn, pinOf } from "./model.js";
 import { after, before } from "./motion.js";
+import { BUILD_SHEET } from "./sheet.js";
 
-// The part of the plane to draw in, in millimetres.
-export const BUILD_SHEET = { x0: -60, y0: -42, x1: 60, y1: 42 };
 const RIDER = { length: 28, height: 16 };   // of a slider's block, in pixels
 const GRID = 10;
 const BAR_WIDTH = 6;

@@ -3,7 +3,7 @@
 import { spotAt } from "./hits.js";
 import { before } from "./motion.js";
 
-const LEAST_STEP = 4;   // pixels
+const LEAST_STEP = 3.5;   // pixels
 const STEPS = [1, 2, 5, 10];
 
 // The step to which places are rounded: a round number of the sheet's units that is some pixels wide.

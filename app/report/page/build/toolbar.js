@@ -46,6 +46,6 @@ export class Toolbar {
       chip.tabIndex = chip.dataset.tool === tool ? 0 : -1;
     }
     byId("tool-hint").textContent = say(`build.${tool}_hint`);
-    byId("picture").dataset.tool = tool;
+    byId("picture").dataset.hand = tool;
   }
 }
