@@ -56,6 +56,12 @@ constexpr KeyedEntry kDyads[] = {{"RRR", "two links and three hinges (VDI 2729: 
                                  {"PRP", "two sliders with a common pin (SDS)", kPrp},
                                  {"RPP", "a block in the slot of a slider (DSS)", kRpp}};
 
+constexpr Entry kJointTable[] = {
+    {"name", "the joint's name"},
+    {"of", "links it joins, \"frame\" the fixed one: of a pin two or more, of a point one"},
+    {"at", "[x, y] where it is drawn"},
+    {"direction_deg", "of a slide of two links, instead of at"}};
+
 constexpr Entry kPivotTable[] = {{"name", "of the point"}, {"at", "[x, y]"}};
 constexpr Entry kCrankTable[] = {{"at", "the pivot it turns about"},
                                  {"pin", "name of its other end"},
@@ -107,6 +113,7 @@ constexpr Entry kOutputTable[] = {
     {"points", "names of those to report (default: all that move)"}};
 
 constexpr KeyedEntry kAnalysisTables[] = {
+    {"[[joint]]", "of a chain as drawn, with driven = a link: instead of pivots, drive and dyads", kJointTable},
     {"[[pivot]]", "of a chain: a point of the frame", kPivotTable},
     {"[crank]", "of a chain: what drives", kCrankTable},
     {"[slider]", "of a chain: what drives instead of a crank", kSliderTable},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "problems/basics/degrees.hpp"
 #include "problems/evaluation/problem.hpp"
 #include "problems/evaluation/read_output.hpp"
 #include "problems/evaluation/read_tolerances.hpp"
@@ -22,8 +23,8 @@ constexpr int kMostSteps = 1'000'000;
 // Values of one quantity that a table may hold, so that it fits into memory.
 constexpr std::size_t kMostValues = 20'000'000;
 
-void read_angles(TableReader& table, DriveSweep& drive) {
-  const double start = read_degrees(table, "start_deg", 0);
+void read_angles(TableReader& table, double drawn, DriveSweep& drive) {
+  const double start = read_degrees(table, "start_deg", degrees(drawn));
   const double end = read_degrees(table, "end_deg", start + 360);
   drive.start = radians(start);
   drive.end = radians(end);
@@ -58,8 +59,9 @@ void read_displacements(TableReader& table, DriveSweep& drive) {
 }
 
 /// The sweep in `table`; with a driving slider (`slides`) its ends are lengths, else angles.
-/// `parts`: how many bodies and points each step evaluates, which limits the steps.
-DriveSweep read_drive(TableReader& table, bool slides, std::size_t parts) {
+/// It begins at `drawn` where it does not say so. `parts`: how many bodies and points each step
+/// evaluates, which limits the steps.
+DriveSweep read_drive(TableReader& table, bool slides, double drawn, std::size_t parts) {
   constexpr std::string_view kSteps = "steps";
   DriveSweep drive;
   drive.rate.speed =
@@ -69,7 +71,7 @@ DriveSweep read_drive(TableReader& table, bool slides, std::size_t parts) {
   if (slides) {
     read_displacements(table, drive);
   } else {
-    read_angles(table, drive);
+    read_angles(table, drawn, drive);
   }
   drive.steps = table.integer(kSteps, 1, kMostSteps).value_or(drive.steps);
   const std::size_t most = kMostValues / std::max<std::size_t>(parts, 1);
@@ -114,7 +116,7 @@ void check_without_mechanism(TableReader& document, TableReader& mechanism, Tabl
   read_links(holder("link", document, mechanism), unknown);
   read_loads(holder("load", document, mechanism), unknown, slides);
   read_gravity(holder("gravity", document, mechanism));
-  read_drive(drive, slides, 0);
+  read_drive(drive, slides, 0, 0);
   read_output(output, unknown, false, slides);
 }
 
@@ -156,7 +158,7 @@ AnalysisProblem KindTraits<AnalysisProblem>::read(reading::TableReader& document
   problem.inertias = read_links(holder("link", document, mechanism), read.names);
   problem.loads = read_loads(holder("load", document, mechanism), read.names, slides);
   problem.gravity = read_gravity(holder("gravity", document, mechanism));
-  problem.drive = read_drive(drive, slides, parts);
+  problem.drive = read_drive(drive, slides, read.drawn.value_or(0), parts);
   check_cylinder(drive, read.mechanism, problem.drive);
   problem.output = read_output(output, read.names, weighs_or_bears(problem), slides);
   problem.mechanism = std::move(read.mechanism);

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "problems/mechanism/drawn/read_drawing.hpp"
+#include "problems/mechanism/drawn/read_drawn_chain.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
 #include "problems/mechanism/read_chain_dyads.hpp"
 #include "problems/mechanism/read_cylinder.hpp"
@@ -173,6 +175,7 @@ void check_pivots_used(std::vector<TableReader>& pivots, const Chain& chain,
 }  // namespace
 
 Chain read_chain(TableReader& document, TableReader& mechanism) {
+  if (is_drawn(document, mechanism)) return read_drawn_chain(document, mechanism);
   Chain chain;
   const auto tables = [&](std::string_view key, std::size_t min, std::size_t max,
                           std::string_view of) {

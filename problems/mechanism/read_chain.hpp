@@ -1,4 +1,4 @@
-/// @file `type = "chain"`: a drive and dyads that join points by name.
+/// @file `type = "chain"`: a drive and dyads that join points by name, or joints as drawn.
 #pragma once
 
 #include <optional>
@@ -19,6 +19,8 @@ struct Chain {
   std::vector<std::string> used;         ///< the points that a drive, a dyad or a slide names
   /// Of each body that never turns, its first axis; empty for those that may.
   std::vector<std::optional<Vec2d>> steady{Vec2d{1, 0}};
+  /// Where its joints are given as drawn, what its drive is at there.
+  std::optional<double> drawn;
 };
 
 /// The chain that `mechanism` (`[mechanism]`) and `document` define: its tables may stand in

@@ -46,6 +46,7 @@ WholeMechanism read_chain_mechanism(TableReader& document, TableReader& mechanis
   Chain chain = read_chain(document, mechanism);
   WholeMechanism read;
   read.names = std::move(chain.names);
+  read.drawn = chain.drawn;
   read.mechanism.mechanism = std::move(chain.mechanism);
   read.mechanism.description = std::move(chain.description);
   read.mechanism.extra_points = std::move(chain.points);
@@ -72,7 +73,7 @@ std::optional<WholeMechanism> read_whole_mechanism(TableReader& document, TableR
 }
 
 PartNames unknown_parts(TableReader& document) {
-  document.know({"pivot", "crank", "slider", "cylinder", "dyad", "point"});
+  document.know({"pivot", "crank", "slider", "cylinder", "dyad", "joint", "point"});
   PartNames unknown;
   unknown.incomplete = true;
   return unknown;

@@ -13,6 +13,7 @@ namespace cognate::problems::reading {
 struct WholeMechanism {
   NamedMechanism mechanism;
   PartNames names;
+  std::optional<double> drawn;  ///< of joints as drawn, what the drive is at there
 };
 
 /// The mechanism in the table `mechanism` of `document`; `mechanism.finish` is left to the caller.

@@ -41,7 +41,6 @@ cognate_page_kernel(cam_kernel ${problem_reader}
   problems/linkage/constraint_checks.cpp
   problems/linkage/constraint_words.cpp
   problems/linkage/read_constraints.cpp
-  problems/toml/table_writer.cpp
   synthesis/exact/cam/half_planes.cpp
   synthesis/exact/cam/smallest_cam.cpp
   synthesis/optimise/solver_traits.cpp)

@@ -64,13 +64,11 @@ cognate_page_kernel(design_kernel ${problem_reader} ${mechanism_evaluator} ${ana
   problems/linkage/read_linkage.cpp
   problems/linkage/warnings.cpp
   problems/mechanism/dimensions.cpp
-  problems/mechanism/write_mechanism.cpp
   problems/path/names.cpp
   problems/search/read_objectives.cpp
   problems/toml/derivative.cpp
   problems/toml/expression_of_x.cpp
   problems/toml/interpolation.cpp
-  problems/toml/table_writer.cpp
   synthesis/chain/bodies.cpp
   synthesis/exact/chebyshev.cpp
   synthesis/optimise/gauss_newton.cpp

@@ -39,5 +39,4 @@ cognate_page_kernel(gear_kernel ${problem_reader}
   problems/linkage/constraint_checks.cpp
   problems/linkage/constraint_words.cpp
   problems/linkage/read_constraints.cpp
-  problems/toml/table_writer.cpp
   synthesis/optimise/solver_traits.cpp)

@@ -155,7 +155,8 @@ set(problem_reader
   problems/toml/fault_list.cpp
   problems/toml/nearest.cpp
   problems/toml/table_reader.cpp
-  problems/toml/table_reader_arrays.cpp)
+  problems/toml/table_reader_arrays.cpp
+  problems/toml/table_writer.cpp)
 # All types of mechanisms, as the library lists them: a module keeps of them what it calls.
 get_target_property(linkages cognate_analysis SOURCES)
 list(FILTER linkages INCLUDE REGEX "^linkage/")
@@ -185,6 +186,12 @@ set(mechanism_evaluator
   problems/evaluation/force_units.cpp
   problems/evaluation/load_breaks.cpp
   problems/mechanism/directions.cpp
+  problems/mechanism/drawn/check_drawing.cpp
+  problems/mechanism/drawn/describe_drawing.cpp
+  problems/mechanism/drawn/drawing.cpp
+  problems/mechanism/drawn/groups.cpp
+  problems/mechanism/drawn/read_drawing.cpp
+  problems/mechanism/drawn/read_drawn_chain.cpp
   problems/mechanism/joint_names.cpp
   problems/mechanism/mechanism_types.cpp
   problems/mechanism/named_mechanism.cpp
@@ -200,7 +207,8 @@ set(mechanism_evaluator
   problems/mechanism/read_loads.cpp
   problems/mechanism/read_simple_mechanism.cpp
   problems/mechanism/read_slides.cpp
-  problems/mechanism/read_whole_mechanism.cpp)
+  problems/mechanism/read_whole_mechanism.cpp
+  problems/mechanism/write_mechanism.cpp)
 # What evaluates a whole analysis.
 set(analysis_evaluator
   analysis/cam/extremes.cpp

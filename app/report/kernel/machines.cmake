@@ -41,7 +41,6 @@ cognate_page_kernel(machine_kernel ${problem_reader} ${mechanism_evaluator}
   problems/machine/vanishing_inertia.cpp
   problems/toml/derivative.cpp
   problems/toml/interpolation.cpp
-  problems/toml/table_writer.cpp
   problems/train/check.cpp
   problems/train/names.cpp
   problems/train/read.cpp

@@ -12,7 +12,6 @@ cognate_page_kernel(train_kernel ${problem_reader}
   app/report/train_report_data.cpp
   problems/linkage/constraint_checks.cpp
   problems/linkage/constraint_words.cpp
-  problems/toml/table_writer.cpp
   problems/train/analyse.cpp
   problems/train/check.cpp
   problems/train/names.cpp

@@ -1,0 +1,110 @@
+#include "problems/mechanism/drawn/check_drawing.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "problems/toml/nearest.hpp"
+
+namespace cognate::problems::reading {
+namespace {
+
+using Links = std::vector<std::size_t>;
+
+std::string link_list(const Drawing& drawing, const Links& links) {
+  constexpr std::size_t kMostListed = 20;
+  std::vector<std::string_view> words;
+  for (const std::size_t link : links) words.push_back(drawing.links[link]);
+  const bool all = words.size() <= kMostListed;
+  if (!all) words.resize(kMostListed);
+  return quoted_list(words) + (all ? "" : " and others");
+}
+
+/// Two links with two joints cannot move on one another.
+void check_pairs(const Drawing& drawing, FaultList& faults) {
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> joined;
+  for (std::size_t j = 0; j < drawing.joints.size(); ++j) {
+    const DrawnJoint& joint = drawing.joints[j];
+    for (const std::size_t a : joint.of) {
+      for (const std::size_t b : joint.of) {
+        if (a >= b) continue;
+        const auto [pair, is_new] = joined.try_emplace({a, b}, j);
+        if (is_new) continue;
+        faults.add(joint.where,
+                   fmt::format("joints {} both join {} and {}, which cannot move on "
+                               "one another; expected one link in their place",
+                               joint_names(drawing, {pair->second, j}), in_quotes(drawing.links[a]),
+                               in_quotes(drawing.links[b])));
+      }
+    }
+  }
+}
+
+/// The links that one joint alone joins to others, the drive left out: they hang on it.
+Links loose(const Drawing& drawing, const Links& among) {
+  Links found;
+  for (const std::size_t link : among) {
+    const auto joints = joints_of(drawing, link);
+    const auto count = std::ranges::count_if(
+        joints, [&](std::size_t i) { return drawing.joints[i].of.size() > 1; });
+    if (count < 2 && link != drawing.driven) found.push_back(link);
+  }
+  return found;
+}
+
+void check_mobility(const Drawing& drawing, const DrawnGroups& groups, TableReader& place) {
+  const DrawnMobility mobility = mobility_of(drawing);
+  std::string message =
+      fmt::format("has mobility 3(n - 1) - 2j = {} with n = {} links and j = {} joints; expected 1",
+                  mobility.value(), mobility.links, mobility.joints);
+  const Links hanging = loose(drawing, groups.left);
+  if (!hanging.empty()) {
+    message += fmt::format("; one joint alone holds {}", link_list(drawing, hanging));
+  } else if (mobility.value() > 1) {
+    message += "; join more of its links, or fix a pin to the frame";
+  } else {
+    message += "; a joint or a link holds it";
+  }
+  place.fault("joint", message);
+}
+
+/// The links whose drive would leave dyads alone.
+Links drives_of_dyads(const Drawing& drawing) {
+  Links found;
+  for (std::size_t link = 1; link < drawing.links.size(); ++link) {
+    const bool on_frame = std::ranges::any_of(drawing.joints, [&](const DrawnJoint& joint) {
+      return joins(joint, 0) && joins(joint, link);
+    });
+    if (on_frame && groups_of(drawing, link).left.empty()) found.push_back(link);
+  }
+  return found;
+}
+
+void check_groups(const Drawing& drawing, const DrawnGroups& groups, TableReader& place) {
+  if (groups.left.empty()) return;
+  std::string message = fmt::format(
+      "has links that form no dyads: {} (an Assur group of class III or higher, or a "
+      "part that is held beside one that is loose)",
+      link_list(drawing, groups.left));
+  const Links drives = drives_of_dyads(drawing);
+  if (!drives.empty()) {
+    message += fmt::format("; driven by {} they would", link_list(drawing, drives));
+  }
+  place.fault("joint", message);
+}
+
+}  // namespace
+
+void check_drawing(const Drawing& drawing, const DrawnGroups& groups, TableReader& place) {
+  const std::size_t before = place.faults().size();
+  check_pairs(drawing, place.faults());
+  if (place.faults().size() != before) return;
+  if (mobility_of(drawing).value() != 1) return check_mobility(drawing, groups, place);
+  check_groups(drawing, groups, place);
+}
+
+}  // namespace cognate::problems::reading

@@ -1,0 +1,313 @@
+#include "problems/mechanism/drawn/describe_drawing.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "analysis/numbers/angle.hpp"
+#include "problems/toml/nearest.hpp"
+
+namespace cognate::problems::reading {
+namespace {
+
+/// Sines of angles below this are those of a dead point: there the drawing does not say which of
+/// two assemblies is meant, and at a millionth of it rounding decides.
+constexpr double kDeadSine = 1e-9;
+
+/// Coordinates this much smaller than the drawing are 0 but for rounding.
+constexpr double kRounding = 1e-15;
+
+/// Axes of a link where it is drawn.
+struct DrawnAxes {
+  Vec2d origin{};
+  Vec2d direction{1, 0};
+};
+
+class Describer {
+ public:
+  Describer(const Drawing& drawing, FaultList& faults)
+      : drawing_(drawing), faults_(faults), axes_(drawing.links.size()) {
+    for (const DrawnJoint& joint : drawing.joints) size_ = std::max(size_, norm1(joint.at));
+  }
+
+  void describe_frame() {
+    for (const std::size_t i : pins_of(0)) {
+      described_.chain.pivots.push_back({joint(i).name, joint(i).at});
+    }
+  }
+
+  void describe_drive() {
+    const std::size_t link = drawing_.driven;
+    std::size_t on_frame = 0;
+    for (const std::size_t i : joints_of(drawing_, link)) {
+      if (joins(joint(i), 0)) on_frame = i;
+    }
+    const auto pin = driving_pin(link, on_frame);
+    if (!pin) return;
+    if (joint(on_frame).direction) {
+      axes_[link] = {joint(*pin).at, *joint(on_frame).direction};
+      described_.chain.drive =
+          SliderDescription{slide_of(on_frame, 0, joint(*pin).at), joint(*pin).name, name(link)};
+    } else {
+      const auto length = length_of(link, on_frame, *pin);
+      const Vec2d along = joint(*pin).at - joint(on_frame).at;
+      if (length == 0) return;
+      axes_[link] = {joint(on_frame).at, (1 / length) * along};
+      described_.drive = angle_of(along);
+      described_.chain.drive =
+          CrankDescription{joint(on_frame).name, joint(*pin).name, length, name(link)};
+    }
+    add_points(link, {on_frame, *pin});
+  }
+
+  void describe(const DrawnDyad& found) {
+    DrawnDyad dyad = found;
+    const auto swap = [&] {
+      std::swap(dyad.first, dyad.second);
+      std::swap(dyad.first_outer, dyad.second_outer);
+    };
+    const bool slides = joint(dyad.inner).direction.has_value();
+    const bool first = joint(dyad.first_outer).direction.has_value();
+    const bool second = joint(dyad.second_outer).direction.has_value();
+    if (first && second && slides) return fault_slides(dyad);
+    if (first && !second) swap();
+    if (is_rigid(dyad)) return;
+    if (first && second) return describe_prp(dyad);
+    if (first || second) return slides ? describe_rpp(dyad) : describe_rrp(dyad);
+    if (!slides) return describe_rrr(dyad);
+    // The bar is the link that others are joined to.
+    if (joints_of(drawing_, dyad.first).size() > joints_of(drawing_, dyad.second).size()) swap();
+    describe_rpr(dyad);
+  }
+
+  DescribedDrawing take() { return std::move(described_); }
+
+ private:
+  const DrawnJoint& joint(std::size_t i) const { return drawing_.joints[i]; }
+  const std::string& name(std::size_t link) const { return drawing_.links[link]; }
+
+  std::vector<std::size_t> pins_of(std::size_t link) const {
+    auto pins = joints_of(drawing_, link);
+    std::erase_if(pins, [&](std::size_t i) { return joint(i).direction.has_value(); });
+    return pins;
+  }
+
+  /// A joint of the driving link that the drive's own does not coincide with, a pin rather than a
+  /// point.
+  std::optional<std::size_t> driving_pin(std::size_t link, std::size_t on_frame) {
+    std::optional<std::size_t> found;
+    for (const std::size_t i : pins_of(link)) {
+      if (i == on_frame) continue;
+      if (!found || (joint(*found).of.size() == 1 && joint(i).of.size() > 1)) found = i;
+    }
+    if (!found) {
+      faults_.add(joint(on_frame).where,
+                  fmt::format("joint {} alone is on {}, which drives; expected a pin or a point on "
+                              "it, too",
+                              in_quotes(joint(on_frame).name), in_quotes(name(link))));
+    }
+    return found;
+  }
+
+  /// From one joint of a link to another; 0, with a fault, where they coincide.
+  double length_of(std::size_t link, std::size_t from, std::size_t to) {
+    const double length = norm(joint(to).at - joint(from).at);
+    if (length > kRounding * size_) return length;
+    faults_.add(joint(to).where,
+                fmt::format("joints {} of {} are at the same place; expected a distance",
+                            joint_names(drawing_, {from, to}), in_quotes(name(link))));
+    return 0;
+  }
+
+  void fault_slides(const DrawnDyad& dyad) {
+    faults_.add(
+        joint(dyad.inner).where,
+        fmt::format("joints {} of {} and {} are slides, all three; expected a pin among "
+                    "them, without which no link turns",
+                    joint_names(drawing_, {dyad.first_outer, dyad.inner, dyad.second_outer}),
+                    in_quotes(name(dyad.first)), in_quotes(name(dyad.second))));
+  }
+
+  /// Whether both outer joints are on one link, so that nothing moves on it; then a fault.
+  bool is_rigid(const DrawnDyad& dyad) {
+    const auto moved = [&](std::size_t link) { return link != dyad.first && link != dyad.second; };
+    for (const std::size_t link : joint(dyad.first_outer).of) {
+      if (!moved(link) || !joins(joint(dyad.second_outer), link)) continue;
+      faults_.add(
+          joint(dyad.inner).where,
+          fmt::format("joint {} of {} and {}, which are both joined to {}, cannot move on it "
+                      "(mobility 0); expected one link in the place of the three",
+                      in_quotes(joint(dyad.inner).name), in_quotes(name(dyad.first)),
+                      in_quotes(name(dyad.second)), in_quotes(name(link))));
+      return true;
+    }
+    return false;
+  }
+
+  /// Whether `sine` is that of a dead point; then a fault.
+  bool is_dead(const DrawnDyad& dyad, double sine) {
+    if (std::abs(sine) > kDeadSine) return false;
+    faults_.add(
+        joint(dyad.inner).where,
+        fmt::format("joints {} of {} and {} are drawn at a dead point, where two assemblies meet; "
+                    "expected another position",
+                    joint_names(drawing_, {dyad.first_outer, dyad.inner, dyad.second_outer}),
+                    in_quotes(name(dyad.first)), in_quotes(name(dyad.second))));
+    return true;
+  }
+
+  static Assembly assembly_of(double signed_sine) {
+    return signed_sine > 0 ? Assembly::open : Assembly::crossed;
+  }
+
+  /// The link that carries the outer slide of `link`.
+  std::size_t carrier(std::size_t slide, std::size_t link) const {
+    return joint(slide).of[joint(slide).of[0] == link ? 1 : 0];
+  }
+
+  Vec2d in_axes(std::size_t link, const Vec2d& place) const {
+    const Vec2d at = conj(axes_[link].direction) * (place - axes_[link].origin);
+    const auto rounded = [&](double x) { return std::abs(x) <= kRounding * size_ ? 0 : x; };
+    return {rounded(at.x), rounded(at.y)};
+  }
+
+  /// The line of a slide on `link` through a place of the drawing.
+  SlideDescription slide_of(std::size_t slide, std::size_t link, const Vec2d& through) const {
+    return {in_axes(link, through), angle_of(conj(axes_[link].direction) * *joint(slide).direction),
+            0, name(link)};
+  }
+
+  void describe_rrr(const DrawnDyad& dyad) {
+    const Vec2d c = joint(dyad.inner).at;
+    const double first = length_of(dyad.first, dyad.first_outer, dyad.inner);
+    const double second = length_of(dyad.second, dyad.second_outer, dyad.inner);
+    if (first == 0 || second == 0) return;
+    const Vec2d p = (1 / first) * (c - joint(dyad.first_outer).at);
+    const Vec2d q = (1 / second) * (c - joint(dyad.second_outer).at);
+    const double sine = cross(p, q);
+    if (is_dead(dyad, sine)) return;
+    DyadDescription described{
+        .type = DyadType::rrr,
+        .joins = {joint(dyad.first_outer).name, joint(dyad.second_outer).name},
+        .lengths = {first, second},
+        .assembly = assembly_of(sine),
+        .new_point = joint(dyad.inner).name};
+    axes_[dyad.first] = {joint(dyad.first_outer).at, p};
+    axes_[dyad.second] = {joint(dyad.second_outer).at, q};
+    add(std::move(described), dyad);
+  }
+
+  void describe_rrp(const DrawnDyad& dyad) {
+    const Vec2d pin = joint(dyad.inner).at;
+    const Vec2d guide = *joint(dyad.second_outer).direction;
+    const double length = length_of(dyad.first, dyad.first_outer, dyad.inner);
+    if (length == 0) return;
+    const Vec2d along = (1 / length) * (pin - joint(dyad.first_outer).at);
+    const double sine = dot(along, guide);
+    if (is_dead(dyad, sine)) return;
+    DyadDescription described{
+        .type = DyadType::rrp,
+        .joins = {joint(dyad.first_outer).name},
+        .lengths = {length},
+        .slides = {slide_of(dyad.second_outer, carrier(dyad.second_outer, dyad.second), pin)},
+        .assembly = assembly_of(sine),
+        .new_point = joint(dyad.inner).name};
+    axes_[dyad.first] = {joint(dyad.first_outer).at, along};
+    axes_[dyad.second] = {pin, guide};
+    add(std::move(described), dyad);
+  }
+
+  /// The bar points to the block, so that the assembly is open.
+  void describe_rpr(const DrawnDyad& dyad) {
+    const Vec2d block = joint(dyad.first_outer).at;
+    const Vec2d pivot = joint(dyad.second_outer).at;
+    const double distance = norm(block - pivot);
+    const Vec2d line = *joint(dyad.inner).direction;
+    const double along = dot(block - pivot, line);
+    if (is_dead(dyad, distance > kRounding * size_ ? along / distance : 0)) return;
+    const Vec2d bar = along > 0 ? line : -line;
+    const double offset = cross(bar, block - pivot);
+    DyadDescription described{
+        .type = DyadType::rpr,
+        .joins = {joint(dyad.first_outer).name, joint(dyad.second_outer).name},
+        .offset = std::abs(offset) <= kRounding * size_ ? 0 : offset,
+        .assembly = Assembly::open};
+    axes_[dyad.first] = {block, bar};
+    axes_[dyad.second] = {pivot, bar};
+    add(std::move(described), dyad);
+  }
+
+  void describe_prp(const DrawnDyad& dyad) {
+    const Vec2d pin = joint(dyad.inner).at;
+    const Vec2d first = *joint(dyad.first_outer).direction;
+    const Vec2d second = *joint(dyad.second_outer).direction;
+    if (is_dead(dyad, cross(first, second))) return;
+    DyadDescription described{
+        .type = DyadType::prp,
+        .slides = {slide_of(dyad.first_outer, carrier(dyad.first_outer, dyad.first), pin),
+                   slide_of(dyad.second_outer, carrier(dyad.second_outer, dyad.second), pin)},
+        .new_point = joint(dyad.inner).name};
+    axes_[dyad.first] = {pin, first};
+    axes_[dyad.second] = {pin, second};
+    add(std::move(described), dyad);
+  }
+
+  /// Slot and guide cross where the block's pin is drawn: that point of the slider has its name.
+  void describe_rpp(const DrawnDyad& dyad) {
+    const Vec2d pin = joint(dyad.first_outer).at;
+    const Vec2d slot = *joint(dyad.inner).direction;
+    const Vec2d guide = *joint(dyad.second_outer).direction;
+    if (is_dead(dyad, cross(guide, slot))) return;
+    DyadDescription described{
+        .type = DyadType::rpp,
+        .joins = {joint(dyad.first_outer).name},
+        .slides = {slide_of(dyad.second_outer, carrier(dyad.second_outer, dyad.second), pin)},
+        .slot = angle_of(conj(guide) * slot),
+        .new_point = name(dyad.second)};
+    axes_[dyad.first] = {pin, slot};
+    axes_[dyad.second] = {pin, guide};
+    add(std::move(described), dyad);
+  }
+
+  void add(DyadDescription described, const DrawnDyad& dyad) {
+    described.names = {name(dyad.first), name(dyad.second)};
+    described_.chain.dyads.push_back(std::move(described));
+    add_points(dyad.first, {dyad.first_outer, dyad.inner});
+    add_points(dyad.second, {dyad.second_outer, dyad.inner});
+  }
+
+  /// The joints of a link other than `known`, which its dyad or the drive has.
+  void add_points(std::size_t link, const std::vector<std::size_t>& known) {
+    for (const std::size_t i : pins_of(link)) {
+      if (std::ranges::find(known, i) != known.end()) continue;
+      described_.points.push_back({joint(i).name, {name(link)}, in_axes(link, joint(i).at)});
+    }
+  }
+
+  const Drawing& drawing_;
+  FaultList& faults_;
+  std::vector<DrawnAxes> axes_;
+  DescribedDrawing described_;
+  double size_ = 0;
+};
+
+}  // namespace
+
+std::optional<DescribedDrawing> describe(const Drawing& drawing, const DrawnGroups& groups,
+                                         FaultList& faults) {
+  const std::size_t before = faults.size();
+  Describer describer(drawing, faults);
+  describer.describe_frame();
+  describer.describe_drive();
+  for (const DrawnDyad& dyad : groups.dyads) {
+    if (faults.size() != before) return std::nullopt;
+    describer.describe(dyad);
+  }
+  if (faults.size() != before) return std::nullopt;
+  return describer.take();
+}
+
+}  // namespace cognate::problems::reading

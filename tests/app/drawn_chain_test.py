@@ -1,0 +1,261 @@
+"""Chains that are given by their joints as drawn, against bodies under constraints that know nothing of dyads
+(linked_bodies.py): planted mechanisms of random dyads, their joints and links in any order; what is refused.
+
+Run as: drawn_chain_test.py PROGRAM LIBRARY SCHEMA.
+"""
+
+import csv
+import json
+import math
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from linked_bodies import Bodies  # noqa: E402
+from written_files import PROGRAM, command  # noqa: E402
+
+try:
+    import jsonschema
+except ImportError:
+    jsonschema = None
+
+LIBRARY, SCHEMA = (pathlib.Path(path) for path in sys.argv[2:4])
+FORMS = ("RRR", "RRP", "PRR", "RPR", "PRP", "RPP", "PPR")
+STEPS = 120
+
+
+def toml(value):
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(map(toml, value)) + "]"
+    return f'"{value}"' if isinstance(value, str) else repr(value)
+
+
+def drawn(joints, driven, rest=""):
+    """A file of joints."""
+    lines = ['kind = "analysis"', "[mechanism]", 'type = "chain"', f'driven = "{driven}"']
+    for joint in joints:
+        lines += ["[[mechanism.joint]]", *(f"{key} = {toml(value)}" for key, value in joint.items())]
+    return "\n".join([*lines, rest]) + "\n"
+
+
+def table(text):
+    """The rows of an analysis, numbers where there are such."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "drawn.toml"
+        file.write_text(text)
+        done = subprocess.run([PROGRAM, "analyze", file, "--out", folder, "--quiet"], capture_output=True, text=True, timeout=60,
+                              check=False)
+        if done.returncode != 0:
+            raise AssertionError(done.stderr + text)
+        rows = list(csv.reader((pathlib.Path(folder) / "drawn.csv").read_text().splitlines()))
+    return [dict(zip(rows[0], row)) for row in rows[1:]]
+
+
+class Drawer:
+    """Draws mechanisms of random dyads."""
+
+    def __init__(self, seed):
+        self.random = random.Random(seed)
+        self.joints, self.count = [], 0
+        self.slides = self.random.random() < 0.25
+        pivot = self.pin(["frame", "drive"]) if not self.slides else self.slide(["frame", "drive"])
+        self.links = ["frame", "drive"]
+        self.point("drive")
+        self.drive = pivot
+
+    def name(self, letter):
+        self.count += 1
+        return f"{letter}{self.count}"
+
+    def place(self):
+        return (round(self.random.uniform(-5, 5), 3), round(self.random.uniform(-5, 5), 3))
+
+    def add(self, joint):
+        self.joints.append(joint)
+        return joint
+
+    def pin(self, of):
+        return self.add({"name": self.name("J"), "at": self.place(), "of": of})
+
+    def point(self, link):
+        return self.add({"name": self.name("P"), "at": self.place(), "of": [link]})
+
+    def slide(self, of):
+        return self.add({"name": self.name("S"), "direction_deg": round(self.random.uniform(-180, 180), 1), "of": of})
+
+    def outer(self, kind, link, to):
+        """Joins a new link to one that is there, now and then at a pin that it has already."""
+        if kind == "P":
+            return self.slide([link, to])
+        pins = [joint for joint in self.joints if "at" in joint and to in joint["of"]]
+        if pins and self.random.random() < 0.4:
+            joint = self.random.choice(pins)
+            joint["of"].append(link)
+            return joint
+        return self.pin([link, to])
+
+    def dyad(self):
+        form = self.random.choice(FORMS)
+        first, second = self.name("link"), self.name("link")
+        before = [[*joint["of"]] for joint in self.joints]
+        while True:
+            to = self.random.sample(self.links, 2)
+            outer = [self.outer(form[0], first, to[0]), self.outer(form[2], second, to[1])]
+            if not set(outer[0]["of"]) & set(outer[1]["of"]) and outer[0] is not outer[1]:
+                break
+            del self.joints[len(before):]
+            for joint, of in zip(self.joints, before):
+                joint["of"] = [*of]
+        (self.slide if form[1] == "P" else self.pin)([first, second])
+        self.links += [first, second]
+        for link in (first, second):
+            self.point(link)
+
+    def draw(self, dyads):
+        for _ in range(dyads):
+            self.dyad()
+        self.random.shuffle(self.joints)
+        for joint in self.joints:
+            self.random.shuffle(joint["of"])
+        return self.joints
+
+
+class DrawnChains(unittest.TestCase):
+    def faults(self, text):
+        done = command(text, "analyze")
+        self.assertEqual(done.returncode, 2, done.stdout)
+        return done.stderr
+
+    def follow(self, seed):
+        """Compares the motion of a planted mechanism from where it is drawn on, until it comes near a dead
+        point. How many positions were compared."""
+        drawer = Drawer(seed)
+        joints = drawer.draw(1 + seed % 4)
+        span = drawer.random.choice((3.0, -3.0)) if drawer.slides else math.tau
+        ends = f"end = {span}\n" if drawer.slides else ""
+        rows = table(drawn(joints, "drive", f"[drive]\n{ends}steps = {STEPS}\n"))
+        bodies = Bodies(joints, "drive")
+        compared = 0
+        for i, row in enumerate(rows[:STEPS // 2]):
+            if bodies.move(i * span / STEPS) < 1e-5:
+                break
+            for name, at in bodies.points().items():
+                for axis, value in zip("xy", at):
+                    column = f"{name}_{axis}"
+                    if column not in row:
+                        continue  # of the frame
+                    self.assertNotEqual(row[column], "", (seed, i, name))
+                    self.assertAlmostEqual(float(row[column]), value, delta=1e-7, msg=(seed, i, name))
+            compared += 1
+        return compared
+
+    def test_planted_mechanisms_move_as_their_constraints_say(self):
+        compared = [self.follow(seed) for seed in range(48)]
+        self.assertTrue(all(count > 0 for count in compared), compared)
+        self.assertGreater(sum(compared), 48 * 10, compared)
+
+    def test_a_drawing_is_the_chain_of_its_dimensions(self):
+        by_joints = drawn(FOUR_BAR, "crank", LOADED + "[drive]\nstart_deg = 0\n")
+        by_lengths = """kind = "analysis"
+[mechanism]
+type = "chain"
+pivot = [{name = "A", at = [0, 0]}, {name = "D", at = [4, 0]}]
+crank = {at = "A", pin = "B", length = 1}
+dyad = [{type = "RRR", joins = ["B", "D"], lengths = [%r, %r], new = "C", names = ["coupler", "rocker"]}]
+point = [{name = "P", on = ["B", "C"], at = [%r, %r]}]
+""" % (math.dist(B, C), math.dist(D, C), *within(B, C, P)) + LOADED
+        for row, same in zip(table(by_joints), table(by_lengths), strict=True):
+            self.assertEqual(row.keys(), same.keys())
+            for key, value in row.items():
+                self.assertAlmostEqual(float(value), float(same[key]), delta=1e-9 * (1 + abs(float(value))), msg=key)
+
+    def test_results_hold_the_mechanism_for_the_program_to_read(self):
+        done = command(drawn(FOUR_BAR, "crank"), "analyze", "--json")
+        document = json.loads(done.stdout)
+        self.assertEqual(document["problem"]["mechanism"]["type"], "chain")
+        self.assertAlmostEqual(document["problem"]["drive"]["start_deg"], math.degrees(math.atan2(B[1], B[0])), delta=1e-12)
+        if jsonschema is not None:
+            jsonschema.validate(document, json.loads(SCHEMA.read_text()))
+
+    def test_what_is_no_mechanism_is_refused_with_its_reason(self):
+        bar, pin, slide = FOUR_BAR, pinned, slid
+        on_coupler = [pin("Q", (2, 3), "coupler", "x"), pin("R", (3, 4), "x", "y"), pin("S", (2, 5), "y", "coupler")]
+        for reason, joints in (
+                ("mobility 3(n - 1) - 2j = 2 with n = 5 links and j = 5 joints; expected 1; join more",
+                 [*bar[:3], pin("E", (1, 5), "rocker", "lever"), pin("D", D, "lever", "frame")]),
+                ("one joint alone holds \"tail\"", [*bar, pin("T", (9, 9), "rocker", "tail")]),
+                ("a joint or a link holds it", [*bar, pin("G", (0, 4), "coupler", "third"), pin("H", (1, 7), "third", "frame")]),
+                ("both join \"coupler\" and \"rocker\"", [*bar, pin("C2", (2, 2), "coupler", "rocker")]),
+                ("are drawn at a dead point", [bar[0], {**bar[1], "at": (1, 0)}, {**bar[2], "at": (2.5, 0)}, bar[3]]),
+                ("are at the same place", [*bar[:2], {**bar[2], "at": B}, bar[3]]),
+                ("which are both joined to \"coupler\"", [*bar, *on_coupler]),
+                ("are slides, all three", [*bar, slide("Q", 10, "coupler", "x"), slide("R", 30, "x", "y"), slide("S", 80, "y", "frame")]),
+                ("alone is on \"crank\"", [bar[0], slide("B", 20, "crank", "coupler"), *bar[2:4]])):
+            with self.subTest(reason):
+                self.assertIn(reason, self.faults(drawn(joints, "crank")))
+
+    def test_wrong_tables_are_refused_by_name(self):
+        first = FOUR_BAR[0]
+        for reason, joints, driven in (
+                ("is missing; expected [x, y], or the direction_deg of a slide", [{"name": "A", "of": ["frame", "crank"]}, *FOUR_BAR[1:]], "crank"),
+                ("is given for a slide", [{**first, "direction_deg": 3}, *FOUR_BAR[1:]], "crank"),
+                ("a slide has two", [*FOUR_BAR, {"name": "S", "direction_deg": 3, "of": ["a", "b", "c"]}], "crank"),
+                ("is the frame alone", [*FOUR_BAR, {"name": "Z", "at": (1, 1), "of": ["frame"]}], "crank"),
+                ("twice", [*FOUR_BAR, {"name": "Z", "at": (1, 1), "of": ["crank", "crank"]}], "crank"),
+                ("the name of another joint", [*FOUR_BAR, first], "crank"),
+                ("the name of a link", [*FOUR_BAR, {"name": "rocker", "at": (1, 1), "of": ["crank"]}], "crank"),
+                ("expected a link that joints join", FOUR_BAR, "handle"),
+                ("which has no joint with the frame", FOUR_BAR, "coupler"),
+                ("expected a name of", [{**first, "of": ["frame", "a b"]}, *FOUR_BAR[1:]], "crank")):
+            with self.subTest(reason):
+                self.assertIn(reason, self.faults(drawn(joints, driven)))
+        self.assertIn("is given beside [[joint]]", self.faults(drawn(FOUR_BAR, "crank", 'crank = {at = "A", pin = "B", length = 1}')))
+
+    def test_groups_that_are_no_dyads_name_the_drive_that_leaves_such(self):
+        pin = pinned
+        stephenson = [pin("A", (0, 0), "frame", "p"), pin("B", (1, 1.5), "p", "plate"), pin("D", (4, 0), "frame", "q"),
+                      pin("C", (3.5, 2), "q", "plate"), pin("E", (2.5, 3), "plate", "r"), pin("F", (5, 4), "r", "s"),
+                      pin("G", (6, 1), "s", "frame")]
+        said = self.faults(drawn(stephenson, "s"))
+        self.assertIn("form no dyads: \"p\", \"plate\", \"q\", \"r\"", said)
+        self.assertIn("driven by \"p\", \"q\" they would", said)
+        self.assertEqual(command(drawn(stephenson, "p"), "analyze").returncode, 0)
+
+
+def pinned(name, at, *of):
+    return {"name": name, "at": at, "of": of}
+
+
+def slid(name, degrees, *of):
+    return {"name": name, "direction_deg": degrees, "of": of}
+
+
+A, B, C, D, P = (0.0, 0.0), (0.6, 0.8), (3.1, 2.9), (4.0, 0.0), (1.5, 3.0)
+FOUR_BAR = [{"name": "A", "at": A, "of": ["frame", "crank"]}, {"name": "B", "at": B, "of": ["crank", "coupler"]},
+            {"name": "C", "at": C, "of": ["coupler", "rocker"]}, {"name": "D", "at": D, "of": ["rocker", "frame"]},
+            {"name": "P", "at": P, "of": ["coupler"]}]
+LOADED = """
+[[link]]
+between = ["B", "C"]
+mass = 2
+centre = [1, 0.3]
+inertia = 0.4
+[[load]]
+on = "P"
+force = [3, -7]
+"""
+
+
+def within(first, second, at):
+    """A place in the axes from one point towards another."""
+    along = complex(second[0] - first[0], second[1] - first[1])
+    inside = complex(at[0] - first[0], at[1] - first[1]) * along.conjugate() / abs(along)
+    return (inside.real, inside.imag)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
