@@ -244,7 +244,7 @@ test("while a pin is dragged the curves follow", () => visit({}, async (page) =>
 async function assertSameFacts(page) {
   await page.locator("[data-take=copy_problem]").click();
   const { status, designs: [{ metrics }] } = await analysed(await page.locator("#taken").inputValue());
-  assert.equal(status, "done");
+  assert.equal(status, "solved");
   const flat = (value, path) => (value !== null && typeof value === "object" ? Object.entries(value).flatMap(([key, part]) => flat(part, [...path, key])) : [[path.join("."), value]]);
   const known = flat(metrics, []).filter(([, value]) => typeof value === "number" && !Number.isInteger(value)).map(([, value]) => value);
   const shown = Object.entries(await factsOf(page)).filter(([, value]) => typeof value === "number" && !Number.isInteger(value));

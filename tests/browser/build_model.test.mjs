@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { addLink, addPoint, addSlider, mergeJoints, moveJoint, moveLink, putPivot, removeJoint, removeLink, removeLoad, removeSlider, rename, setDegrees, setDriven, setLoad, setMass, setWeighs } from "../../app/report/page/build/edits.js";
+import { evenMass } from "../../app/report/page/build/even_mass.js";
 import { EXAMPLES } from "../../app/report/page/build/examples.js";
 import { hullOf, spotAt } from "../../app/report/page/build/hits.js";
 import { directionOf, driverOf, EMPTY, isSound, jointsOn, mobilityOf, MOST, pinOf } from "../../app/report/page/build/model.js";
@@ -171,6 +172,17 @@ test("names are changed everywhere, each once", () => {
 test("hulls turn to the left and leave inner points out", () => {
   assert.deepEqual(hullOf([[0, 0], [4, 0], [4, 4], [2, 1], [0, 4], [2, 0]]), [[0, 0], [4, 0], [4, 4], [0, 4]]);
   assert.deepEqual(hullOf([[1, 1], [0, 0], [2, 2]]), [[0, 0], [2, 2]]);
+});
+
+test("mass is spread evenly over rods and plates", () => {
+  assert.deepEqual(evenMass([[1, 2], [7, 10]]), { centre: [4, 6], square: 100 / 12 });
+  // A rectangle of 6 by 3 far from the origin: (6² + 3²)/12 about its middle.
+  const { centre, square } = evenMass([[100, 50], [106, 50], [106, 53], [100, 53]]);
+  assert.deepEqual(centre, [103, 51.5]);
+  assert.ok(Math.abs(square - 45 / 12) < 1e-10);
+  // An equilateral triangle of side a: a²/12.
+  const triangle = evenMass([[0, 0], [2, 0], [1, Math.sqrt(3)]]);
+  assert.ok(Math.abs(triangle.square - 4 / 12) < 1e-12 && Math.abs(triangle.centre[1] - Math.sqrt(3) / 3) < 1e-12);
 });
 
 test("examples are whole mechanisms", () => {

@@ -75,12 +75,12 @@ export const jointsOf = (page) => page.locator("#joints-rows tr").evaluateAll((r
 })));
 
 // The links with their joints, as "A–B".
-export const linksOf = (page) => page.locator("#links-rows tr").evaluateAll((rows) => Object.fromEntries(rows.map((row) => [row.querySelector("input").value, row.querySelector(".build-joints").textContent])));
+export const linksOf = (page) => page.locator("#links-rows tr").evaluateAll((rows) => Object.fromEntries(rows.map((row) => [row.querySelector("input").value, row.cells[1].textContent])));
 
 export const saidOf = (page) => page.locator("#state").textContent();
 
 // Until the mechanism moves.
-export const moving = (page) => page.waitForFunction(() => document.getElementById("state").className === "sound");
+export const moving = (page) => page.waitForFunction(() => document.getElementById("state").className === "sound", null, { timeout: 10000 });
 
 // Puts the drive at a coordinate, and says where pins are on the sheet then.
 export async function pinsAt(page, drive, names) {

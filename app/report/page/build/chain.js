@@ -1,10 +1,11 @@
 // The problem of a mechanism that was built: the file of joints as drawn that `cognate analyze` reads.
 
 import { tableWithoutRounding } from "../rounding.js";
+import { evenMass } from "./even_mass.js";
 import { hullOf } from "./hits.js";
 import { directionOf, driverOf, FRAME, isBlock, jointsOn } from "./model.js";
 
-export const GRAVITY = [0, -9806.65];   // mm/s²
+const GRAVITY = [0, -9806.65];   // mm/s²
 
 const turned = (angle) => angle - 360 * Math.round(angle / 360);
 
@@ -12,22 +13,6 @@ function mechanismTable(state) {
   const pins = state.joints.filter(({ of }) => of.some((name) => name !== FRAME)).map(({ name, at, of }) => ({ name, at, of }));
   const slides = state.sliders.map((slider) => ({ name: slider.name, of: [slider.block, slider.on], direction_deg: turned(directionOf(state, slider)) }));
   return tableWithoutRounding({ type: "chain", driven: driverOf(state), joint: [...pins, ...slides] });
-}
-
-// Of a polygon, counter-clockwise, its centroid and the moment of inertia about it over the mass; of a rod of two points likewise.
-export function evenMass(corners) {
-  if (corners.length < 3) {
-    const [p, q = p] = corners;
-    return { centre: p.map((x, k) => (x + q[k]) / 2), square: ((q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2) / 12 };
-  }
-  const [o] = corners;
-  const parts = corners.slice(1, -1).map((p, i) => [p, corners[i + 2]].map((r) => [r[0] - o[0], r[1] - o[1]])).map(([u, v]) => ({ u, v, area: u[0] * v[1] - u[1] * v[0] }));
-  const area = parts.reduce((sum, part) => sum + part.area, 0);
-  const mean = (value) => parts.reduce((sum, part) => sum + part.area * value(part), 0) / area;
-  const centre = [0, 1].map((k) => mean(({ u, v }) => (u[k] + v[k]) / 3));
-  const dot = (a, b) => a[0] * b[0] + a[1] * b[1];
-  const about = mean(({ u, v }) => (dot(u, u) + dot(u, v) + dot(v, v)) / 6);
-  return { centre: centre.map((x, k) => x + o[k]), square: about - dot(centre, centre) };
 }
 
 const MILLI = 1e-3;

@@ -22,7 +22,7 @@ export function hullOf(points) {
 }
 
 // The corners of a link as it is drawn: the hull of its joints and of the pins of blocks that slide on it.
-export function outlineOf(state, link) {
+function outlineOf(state, link) {
   const riders = state.sliders.filter(({ on }) => on === link).map((slider) => pinOf(state, slider).at);
   return hullOf([...jointsOn(state, link).map(({ at }) => at), ...riders]);
 }
@@ -39,7 +39,7 @@ function footOnBody(corners, r) {
   return [p[0] + share * way[0], p[1] + share * way[1]];
 }
 
-export const tipOf = (state, { on, force }) => jointOf(state, on).at.map((x, k) => x + force[k] / FORCE_SCALE);
+const tipOf = (state, { on, force }) => jointOf(state, on).at.map((x, k) => x + force[k] / FORCE_SCALE);
 
 // The nearest of `list` within `reach` of a place, by its distance.
 function nearest(list, reach, distanceOf) {
@@ -61,7 +61,7 @@ export function spotAt(state, place, reach) {
 }
 
 // The line of a slider so far to either side of its pin.
-export function guideOf(state, slider, far) {
+function guideOf(state, slider, far) {
   const { at } = pinOf(state, slider), angle = directionOf(state, slider) * RADIANS;
   return [-far, far].map((way) => [at[0] + way * Math.cos(angle), at[1] + way * Math.sin(angle)]);
 }

@@ -28,7 +28,14 @@ export class Lists {
     return this.#field(key, label, { type: "number", step: "any", value: plain(value), ...attributes }, make, read);
   }
 
-  #name(key, name) { return this.#field(key, say("build.name_of", { name }), { type: "text", value: name, class: "build-name", maxlength: 40 }, (state, to) => (to === name ? state : rename(state, name, to))); }
+  // Under its new name the row is another: its field has the focus again.
+  #name(kind, name) {
+    const field = this.#field(`${kind}.${name}.name`, say("build.name_of", { name }), { type: "text", value: name, class: "build-name", maxlength: 40 }, (state, to) => (to === name ? state : rename(state, name, to)));
+    field.addEventListener("change", () => setTimeout(() => {
+      if (document.activeElement === document.body) [...document.querySelectorAll("#lists [data-row]")].find((row) => row.dataset.row === `${kind}.${field.value.trim()}`)?.querySelector("input").focus();
+    }));
+    return field;
+  }
 
   #tick(key, label, type, checked, make, attributes = {}) {
     return this.#field(key, label, { type, ...(checked ? { checked: "" } : {}), ...attributes }, make, (input) => input.checked);
@@ -49,15 +56,18 @@ export class Lists {
 
   #joint(state, joint) {
     const { name, at } = joint, axis = (k) => this.#number(`joint.${name}.${"xy"[k]}`, say("build.coordinate", { axis: "xy"[k], name }), at[k], (now, x) => moveJoint(now, name, jointOf(now, name).at.with(k, x)));
-    return this.#row({ joint: name }, [this.#name(`joint.${name}.name`, name), axis(0), axis(1),
+    return this.#row({ joint: name }, [this.#name("joint", name), axis(0), axis(1),
       this.#tick(`joint.${name}.fixed`, say("build.fix", { name }), "checkbox", isFixed(joint), (now) => putPivot(now, { joint: name })),
       this.#away(`joint.${name}.away`, say("build.remove_one", { name }), (now) => removeJoint(now, name))]);
   }
 
+  #drives(state, name) {
+    return this.#tick(`link.${name}.drives`, say("build.drives", { name }), "radio", driverOf(state) === name, (now) => setDriven(now, name), { name: "driver", ...(canDrive(state, name) ? {} : { disabled: "" }) });
+  }
+
   #link(state, { name, mass }) {
     const joints = together(jointsOn(state, name).map((joint) => joint.name));
-    const drives = this.#tick(`link.${name}.drives`, say("build.drives", { name }), "radio", driverOf(state) === name, (now) => setDriven(now, name), { name: "driver", ...(canDrive(state, name) ? {} : { disabled: "" }) });
-    return this.#row({ link: name }, [this.#name(`link.${name}.name`, name), element("span", { class: "build-joints" }, joints), drives,
+    return this.#row({ link: name }, [this.#name("link", name), joints, this.#drives(state, name),
       this.#number(`link.${name}.mass`, say("build.mass_of", { name }), mass, (now, value) => setMass(now, name, value), { min: 0 }),
       this.#away(`link.${name}.away`, say("build.remove_one", { name }), (now) => removeLink(now, name))]);
   }
@@ -65,7 +75,8 @@ export class Lists {
   #slider(state, slider) {
     const { name, block, on } = slider, away = this.#away(`slider.${name}.away`, say("build.remove_one", { name: block }), (now) => removeSlider(now, name));
     const direction = this.#number(`slider.${name}.degrees`, say("build.direction_of", { name: block }), directionOf(state, slider), (now, degrees) => setDegrees(now, name, degrees));
-    return this.#row({ link: block }, [block, pinOf(state, slider).name, on === FRAME ? term(FRAME) : on, direction, away]);
+    const where = say("build.slides_on", { pin: pinOf(state, slider).name, on: on === FRAME ? term(FRAME) : on });
+    return this.#row({ link: block }, [block, where, this.#drives(state, block), direction, away]);
   }
 
   #load(state, { on, force }) {
@@ -74,7 +85,7 @@ export class Lists {
   }
 
   #table(id, rows) {
-    byId(`${id}-rows`).replaceChildren(...rows);
+    renewRows(byId(`${id}-rows`), rows);
     byId(`${id}-list`).hidden = rows.length === 0;
   }
 
@@ -84,9 +95,7 @@ export class Lists {
     for (const row of document.querySelectorAll("#lists [data-row]")) row.classList.toggle("chosen", row.dataset.row === `${kind}.${name}`);
   }
 
-  // All anew; what has the focus keeps it.
   show(state) {
-    const cell = document.activeElement?.dataset?.cell;
     this.#table("joints", state.joints.map((joint) => this.#joint(state, joint)));
     this.#table("links", state.links.filter(({ name }) => !isBlock(state, name)).map((link) => this.#link(state, link)));
     this.#table("sliders", state.sliders.map((slider) => this.#slider(state, slider)));
@@ -95,6 +104,26 @@ export class Lists {
     byId("lists-none").hidden = state.joints.length > 0;
     byId("weighs-choice").hidden = state.links.length === 0;
     this.mark();
-    if (cell) document.querySelector(`[data-cell="${CSS.escape(cell)}"]`)?.focus({ preventScroll: true });
   }
+}
+
+// A row as another says, in its place: what has the focus there keeps it.
+function renewed(row, other) {
+  [...row.cells].forEach((cell, i) => {
+    const [now, then] = [other.cells[i].firstElementChild, cell.firstElementChild];
+    if (then?.localName === "input") Object.assign(then, { value: now.value, checked: now.checked, disabled: now.disabled });
+    else if (then?.localName !== "button") cell.textContent = other.cells[i].textContent;
+  });
+  return row;
+}
+
+// Brings the rows of a table to what they are to be; those that stay are not moved.
+function renewRows(body, rows) {
+  const wanted = new Set(rows.map((row) => row.dataset.row));
+  for (const row of [...body.rows]) if (!wanted.has(row.dataset.row)) row.remove();
+  const known = new Map([...body.rows].map((row) => [row.dataset.row, row]));
+  rows.forEach((row, i) => {
+    const there = known.get(row.dataset.row) ? renewed(known.get(row.dataset.row), row) : row;
+    if (body.rows[i] !== there) body.insertBefore(there, body.rows[i] ?? null);
+  });
 }

@@ -32,7 +32,7 @@ export function directionOf(state, { along, degrees }) {
 const groundings = (state, link) => jointsOn(state, link).filter(isFixed).length + state.sliders.filter(({ block, on }) => block === link && on === FRAME).length;
 
 // Whether a link can drive.
-export const canDrive = (state, link) => groundings(state, link) === 1;
+export const canDrive = (state, link) => link !== FRAME && groundings(state, link) === 1;
 
 // The link that drives: the one chosen, as long as it can, else the first with a fixed pivot.
 export function driverOf(state) {

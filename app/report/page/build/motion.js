@@ -5,9 +5,11 @@ import { Mechanism } from "../mechanism.js";
 import { say } from "../words.js";
 import { problemOfState } from "./chain.js";
 import { lackOf } from "./lacks.js";
+import { driverOf, FRAME } from "./model.js";
 
 const FULL = 360, NEAR = 1e-6;
-const INSIDE = 1e-6;   // of the range within its limits: there rounding decides whether it closes
+const FARTHEST = 240;   // mm to either side that the range of a driving slider is looked for
+const INSIDE = 1e-6;    // of the range within its limits: there rounding decides whether it closes
 
 const isOpen = ({ bodies }, k) => bodies.slice(1).some(({ x }) => (Array.isArray(x) ? x[k] : x) === null);
 const isRound = ({ drive }) => Math.abs(Math.abs(drive.at(-1) - drive[0]) - FULL) < NEAR;
@@ -18,11 +20,14 @@ function firstOpen(motion, begin, sense) {
   return -1;
 }
 
-// Where the places of bodies are in a motion that begins in the position drawn.
-function drawnPlaces({ bodies }) {
-  const first = (track) => (Array.isArray(track) ? track[0] : track);
-  return new Map(bodies.map(({ name, x, y, deg }) => [name, [x, y, deg].map(first)]));
+// Where the places of bodies are at a sample of a motion.
+function placesAt({ bodies }, k) {
+  const value = (track) => (Array.isArray(track) ? track[k] : track);
+  return new Map(bodies.map(({ name, x, y, deg }) => [name, [x, y, deg].map(value)]));
 }
+
+// Whether a slider drives: its coordinate is 0 in the position drawn, an angle that of the drawing.
+const isSlid = (state) => state.sliders.some(({ block, on }) => on === FRAME && block === driverOf(state));
 
 // A mechanism in motion whose bodies are known by their names in the state.
 export class BuiltMotion {
@@ -54,40 +59,47 @@ export const before = ([x, y, c, s], [u, v]) => [c * (u - x) + s * (v - y), c * 
 export class Analyst {
   constructor(kernel) { this.kernel = kernel; }
 
-  // The motion alone, as it follows a hand; {faults} where there is none.
+  // The motion alone, as it follows a hand; {faults} where there is none, nothing where something is missing.
   quick(state) {
-    if (lackOf(state)) return {};
-    const data = this.#ask(() => this.kernel.motion(problemOfState(state)));
-    if (data.faults) return data;
+    const { data, slides, drawn } = this.#sweep(state);
+    if (!data || data.faults) return data ?? {};
     const { mechanism: motion } = data;
-    return { motion: new BuiltMotion(data, drawnPlaces(motion), { start: motion.drive[0], round: isRound(motion), isTurning: true }) };
+    return { motion: new BuiltMotion(data, placesAt(motion, drawn), { start: motion.drive[drawn], round: !slides && isRound(motion), isTurning: !slides }) };
   }
 
   // Everything, over the whole turn or over the range about the position drawn in which it can be assembled.
   whole(state) {
-    if (lackOf(state)) return {};
-    const data = this.#ask(() => this.kernel.motion(problemOfState(state)));
-    if (data.faults) return data;
-    const range = this.#range(state, data.mechanism);
+    const { data, slides, drawn } = this.#sweep(state);
+    if (!data || data.faults) return data ?? {};
+    const range = this.#range(state, data.mechanism, slides, drawn);
     const all = this.#ask(() => this.kernel.whole(problemOfState(state, range)));
     if (all.faults) return all;
-    return { motion: new BuiltMotion(all, drawnPlaces(data.mechanism), { start: data.mechanism.drive[0], round: all.drive.round, isTurning: all.drive.kind !== "slider" }), range };
+    return { motion: new BuiltMotion(all, placesAt(data.mechanism, drawn), { start: data.mechanism.drive[drawn], round: all.drive.round, isTurning: !slides }), range };
   }
 
+  // The motion over a turn from the position drawn, or about it; `drawn` is the number of the sample at which it is drawn.
+  #sweep(state) {
+    if (lackOf(state)) return {};
+    const slides = isSlid(state), data = this.#motion(state, slides ? { start: -FARTHEST, end: FARTHEST } : null);
+    return { data, slides, drawn: slides && !data.faults ? (data.mechanism.drive.length - 1) / 2 : 0 };
+  }
+
+  #motion(state, range) { return this.#ask(() => this.kernel.motion(problemOfState(state, range))); }
+
   // The limits of the drive about the position drawn as files have them; null where it turns fully.
-  #range(state, motion) {
-    const { drive } = motion, last = drive.length - 1, forward = firstOpen(motion, 0, 1), start = drive[0];
-    if (forward < 0) return null;
-    const backward = firstOpen(motion, last, -1);
-    const high = this.#limit(state, drive[Math.max(0, forward - 1)], drive[forward]);
-    const low = this.#limit(state, drive[Math.min(last, backward + 1)] - FULL, drive[backward] - FULL);
-    const inside = INSIDE * (high - low);
-    return { start_deg: Math.min(start, low + inside), end_deg: Math.max(start, high - inside) };
+  #range(state, motion, slides, drawn) {
+    const { drive } = motion, turn = slides ? 0 : FULL, forward = firstOpen(motion, drawn, 1);
+    if (!slides && forward < 0) return null;
+    const backward = firstOpen(motion, slides ? drawn : drive.length - 1, -1);
+    const high = forward < 0 ? drive.at(-1) : this.#limit(state, slides, drive[Math.max(0, forward - 1)], drive[forward]);
+    const low = backward < 0 ? drive[0] : this.#limit(state, slides, drive[Math.min(drive.length - 1, backward + 1)] - turn, drive[backward] - turn);
+    const inside = INSIDE * (high - low), [from, to] = [Math.min(drive[drawn], low + inside), Math.max(drive[drawn], high - inside)];
+    return rangeOf(slides, from, to);
   }
 
   // The last place of a finer sweep that is closed, from one that is to one that is not.
-  #limit(state, closed, open) {
-    const data = this.#ask(() => this.kernel.motion(problemOfState(state, { start_deg: closed, end_deg: open })));
+  #limit(state, slides, closed, open) {
+    const data = this.#motion(state, rangeOf(slides, closed, open));
     if (data.faults) return closed;
     const k = firstOpen(data.mechanism, 0, 1);
     return k > 0 ? data.mechanism.drive[k - 1] : closed;
@@ -103,3 +115,5 @@ export class Analyst {
     }
   }
 }
+
+const rangeOf = (slides, from, to) => (slides ? { start: from, end: to } : { start_deg: from, end_deg: to });

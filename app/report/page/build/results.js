@@ -40,6 +40,7 @@ export class Results {
     const { mechanism } = this.motion, name = sentence(term(this.drive.name));
     const axis = say(this.drive.kind === "slider" ? "drive.way_axis" : "drive.angle_axis", { name });
     const colours = partColours(this.table, { mechanism, tint: (i) => this.tintOf(mechanism.bodies[i].name) });
+    if (!mechanism.bodies.some(({ name }) => name === this.part)) colours.set(this.part, "--curve");
     this.curves.build(analysisSheets(this.table, mechanism, new Set([this.part]), this.landmarks, axis, colours));
   }
 

@@ -16,7 +16,7 @@ const GRID = 10;
 const BAR_WIDTH = 6;
 const TINTS = ["--coupler", "--rocker", "--link-b", "--link-c", "--link-d"];
 const STILL_MOVE = [0, 0, 1, 0];
-const AWAY = { name: 19, fixed: 21 };
+const NAME_AWAY = 18, BESIDE_GROUND = [22, 7];   // pixels
 
 export class BuildScene extends Picture {
   constructor(frame, label) {
@@ -153,13 +153,15 @@ export class BuildScene extends Picture {
 
   // Whereto a name stands beside its joint, in pixels: away from what starts there.
   #nameWay(joint) {
-    const others = joint.of.filter((link) => link !== FRAME && !isBlock(this.state, link)).flatMap((link) => jointsOn(this.state, link)).filter(({ name }) => name !== joint.name);
+    const fixed = isFixed(joint), others = joint.of.filter((link) => link !== FRAME && !isBlock(this.state, link)).flatMap((link) => jointsOn(this.state, link)).filter(({ name }) => name !== joint.name);
     const sum = others.reduce(([x, y], { at }) => {
       const [u, v] = [at[0] - joint.at[0], at[1] - joint.at[1]], size = Math.hypot(u, v) || 1;
       return [x + u / size, y + v / size];
-    }, isFixed(joint) ? [0.01, -1] : [0, 0]);
-    const size = Math.hypot(...sum), far = isFixed(joint) ? AWAY.fixed : AWAY.name;
-    return size < 0.2 ? [-0.6 * far, -0.8 * far] : [(-far * sum[0]) / size, (far * sum[1]) / size];
+    }, [0, 0]);
+    // The sign of a fixed pivot takes the room below it.
+    if (fixed) return [sum[0] > 0.01 ? -BESIDE_GROUND[0] : BESIDE_GROUND[0], BESIDE_GROUND[1]];
+    const size = Math.hypot(...sum);
+    return size < 0.2 ? [-0.6 * NAME_AWAY, -0.8 * NAME_AWAY] : [(-NAME_AWAY * sum[0]) / size, (NAME_AWAY * sum[1]) / size];
   }
 
   #loads() {

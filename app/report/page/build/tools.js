@@ -2,7 +2,7 @@
 
 import { addLink, addPoint, addSlider, placeOfSpot, putPivot, removeSlider, setDriven, setLoad } from "./edits.js";
 import { FORCE_SCALE } from "./hits.js";
-import { FRAME, isBlock, isFixed, jointOf } from "./model.js";
+import { canDrive, FRAME, isBlock, isFixed, jointOf, sliderOf } from "./model.js";
 import { RADIANS } from "../sampling.js";
 
 const RIGHT = 15, NEARLY_RIGHT = 4;   // degrees: directions near multiples of the first become such
@@ -40,6 +40,13 @@ function trace(state, from, to) {
   return link === undefined || to.at === undefined ? null : addPoint(state, link, to.at);
 }
 
+// The link at a spot drives, or of those that are joined there the first that can.
+function drivenBy(state, { joint, link, slider }) {
+  const links = joint !== undefined ? jointOf(state, joint).of : slider !== undefined ? [sliderOf(state, slider).block] : [link];
+  const driver = links.find((name) => name !== undefined && canDrive(state, name));
+  return driver === undefined ? null : setDriven(state, driver);
+}
+
 // drag(state, from, to) and click(state, spot) give another state, or null; `ends`: whether two clicks do what a drag does.
 export const TOOLS = {
   move: { key: "v" },
@@ -47,6 +54,6 @@ export const TOOLS = {
   pivot: { key: "f", click: putPivot },
   slider: { key: "s", ends: true, drag: slide, click: unslide },
   point: { key: "p", drag: trace, click: (state, spot) => (spot.link === undefined ? null : addPoint(state, spot.link, spot.at)) },
-  drive: { key: "d", click: (state, spot) => { const link = linkAtSpot(state, spot); return link === undefined ? null : setDriven(state, link); } },
+  drive: { key: "d", click: drivenBy },
   load: { key: "o", ends: true, drag: pull },
 };
