@@ -2,7 +2,7 @@
 // at: { joint }, { slider } or { load } by name, { link, at } on the body of a link, or { at }, a free place of the sheet.
 
 import { RADIANS } from "../sampling.js";
-import { canDrive, directionOf, FRAME, freshName, isBlock, isFixed, isFree, isSound, jointOf, jointsOn, MOST, pinOf } from "./model.js";
+import { canDrive, directionOf, FRAME, freshName, isBlock, isFixed, isFree, isSound, jointOf, jointsOn, MOST, pinOf, slidersOn } from "./model.js";
 
 const within = (state) => (Object.entries(MOST).every(([key, most]) => state[key].length <= most) ? state : null);
 const withJoint = (state, name, change) => ({ ...state, joints: state.joints.map((joint) => (joint.name === name ? { ...joint, ...change(joint) } : joint)) });
@@ -36,7 +36,7 @@ export function addLink(state, from, to) {
 
 // What is left when names are gone: joints have links or are fixed, links have two joints or more, sliders what they slide on.
 function tidied(state) {
-  const links = state.links.filter(({ name }) => jointsOn(state, name).length + state.sliders.filter(({ block, on }) => block === name || on === name).length > 1);
+  const links = state.links.filter(({ name }) => jointsOn(state, name).length + slidersOn(state, name).length > 1);
   const isBody = (name) => name === FRAME || links.some((link) => link.name === name);
   const joints = state.joints.map((joint) => (joint.of.every(isBody) ? joint : { ...joint, of: joint.of.filter(isBody) })).filter(({ of }) => of.length);
   const sliders = state.sliders.filter(({ block, on }) => isBody(block) && isBody(on) && joints.some(({ of }) => of.includes(block)));

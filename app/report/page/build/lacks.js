@@ -17,13 +17,16 @@ export function lackOf(state) {
   return driverOf(state) ? "" : say("build.lacks_drive");
 }
 
+// What the kernel's sentences begin with that are of the file.
+const OF_FILE = /^mechanism\.joint /;
+
 // Where the drive stands.
 export const driveText = (drive, isTurning, decimals) => (isTurning ? degrees(drive, decimals) : number(drive, 4));
 
 // What is missing, what the kernel refuses, or how far the mechanism moves.
 export function stateText(state, { motion, faults, range }) {
-  if (faults) return faults.map((fault) => sentence(sentenceOf(fault))).join(" ");
+  if (faults) return faults.map((fault) => `${sentence(sentenceOf(fault.replace(OF_FILE, "the drawing "))).replace(/[.。]$/, "")}${say("build.full_stop")}`).join(" ");
   if (!motion) return lackOf(state);
   const { from, to } = motion.mechanism, [low, high] = [from, to].map((x) => driveText(x, motion.isTurning, 1));
-  return range ? say("build.swings", { from: low, to: high }) : say(motion.isTurning ? "build.turns" : "build.slides", { from: low, to: high });
+  return say(!motion.isTurning ? "build.slides" : range ? "build.swings" : "build.turns", { from: low, to: high });
 }

@@ -81,7 +81,7 @@ export class Analyst {
   #sweep(state) {
     if (lackOf(state)) return {};
     const slides = isSlid(state), data = this.#motion(state, slides ? { start: -FARTHEST, end: FARTHEST } : null);
-    return { data, slides, drawn: slides && !data.faults ? (data.mechanism.drive.length - 1) / 2 : 0 };
+    return { data, slides, drawn: slides && !data.faults ? nearestToZero(data.mechanism.drive) : 0 };
   }
 
   #motion(state, range) { return this.#ask(() => this.kernel.motion(problemOfState(state, range))); }
@@ -116,4 +116,5 @@ export class Analyst {
   }
 }
 
+const nearestToZero = (list) => list.reduce((best, x, k) => (Math.abs(x) < Math.abs(list[best]) ? k : best), 0);
 const rangeOf = (slides, from, to) => (slides ? { start: from, end: to } : { start_deg: from, end_deg: to });
