@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "problems/basics/degrees.hpp"
@@ -23,8 +24,14 @@ constexpr int kMostSteps = 1'000'000;
 // Values of one quantity that a table may hold, so that it fits into memory.
 constexpr std::size_t kMostValues = 20'000'000;
 
+/// The angle in degrees, of so many digits that a result that holds it is read as the same number.
+double short_degrees(double angle) {
+  constexpr double kShare = 1e9;
+  return std::round(degrees(angle) * kShare) / kShare;
+}
+
 void read_angles(TableReader& table, double drawn, DriveSweep& drive) {
-  const double start = read_degrees(table, "start_deg", degrees(drawn));
+  const double start = read_degrees(table, "start_deg", short_degrees(drawn));
   const double end = read_degrees(table, "end_deg", start + 360);
   drive.start = radians(start);
   drive.end = radians(end);

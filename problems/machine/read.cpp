@@ -117,8 +117,8 @@ void read_loaded_mechanism(TableReader& document, MachineProblem& problem) {
 
 // Tables that say nothing without a mechanism.
 void refuse_parts(TableReader& document) {
-  for (const std::string_view key :
-       {"link", "load", "gravity", "point", "pivot", "crank", "slider", "cylinder", "dyad"}) {
+  for (const std::string_view key : {"link", "load", "gravity", "point", "pivot", "crank", "slider",
+                                     "cylinder", "dyad", "joint"}) {
     if (!document.has(key)) continue;
     document.fault(
         key,

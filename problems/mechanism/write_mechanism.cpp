@@ -105,7 +105,7 @@ void write_description(const ChainDescription& chain, TableWriter& table) {
   }
   for (const DyadDescription& dyad : chain.dyads) dyads.push_back(node(dyad_writer(dyad)));
   constexpr std::array<std::string_view, 3> kDrives{"crank", "slider", "cylinder"};
-  table.set("pivot", pivots);
+  if (!pivots.empty()) table.set("pivot", pivots);
   std::visit(
       [&](const auto& drive) {
         table.add(kDrives[chain.drive.index()], node(drive_writer(drive)));

@@ -4,7 +4,9 @@ dyads, lengths or assemblies. Every body's axes are the global ones in the posit
 
 import math
 
-FAST = 40  # iterations after which a position counts as not reached
+MOST_ITERATIONS = 20  # after which a position counts as not reached
+LARGE_MOVE = 0.1      # of a body at a time: beyond it Newton's method may find another assembly
+MOST_HALVINGS = 8
 
 
 def solve(matrix, right):
@@ -36,6 +38,7 @@ class Bodies:
         self.joints, self.driven = joints, driven
         self.names = sorted({link for joint in joints for link in joint["of"]} - {"frame", driven})
         self.poses = {name: (0.0, 0.0, 0.0) for name in [*self.names, "frame", driven]}
+        self.at = 0.0
         self.drive = next(joint for joint in joints if driven in joint["of"] and "frame" in joint["of"])
 
     def place(self, poses, body, at):
@@ -68,33 +71,48 @@ class Bodies:
                 gaps += [other_turn - turn, math.cos(along) * (by - ay) - math.sin(along) * (bx - ax)]
         return gaps
 
-    def move(self, moved):
-        """Moves on to a position of the drive, from where the bodies are. How far the linear system is from a
-        singular one, 0 where the position is not reached."""
-        poses = {**self.poses, self.driven: self._driven_pose(moved)}
-        for _ in range(FAST):
-            gaps = self._residuals(poses)
-            unknowns = [(name, k) for name in self.names for k in range(3)]
-            columns = []
-            for name, k in unknowns:
-                step = 1e-6
+    def _slopes(self, poses):
+        """The rates of all residuals by each coordinate of each body, in columns."""
+        step, columns = 1e-6, []
+        for name in self.names:
+            for k in range(3):
                 ahead, behind = ([*poses[name]] for _ in range(2))
                 ahead[k] += step
                 behind[k] -= step
                 above = self._residuals({**poses, name: tuple(ahead)})
                 below = self._residuals({**poses, name: tuple(behind)})
                 columns.append([(a - b) / (2 * step) for a, b in zip(above, below)])
-            change, pivots = solve([list(row) for row in zip(*columns)], [-gap for gap in gaps])
+        return columns
+
+    def _reach(self, moved):
+        """The poses at a position of the drive, by Newton's method from where the bodies are, and how far its
+        linear system is from a singular one; None where it finds none nearby."""
+        poses = {**self.poses, self.driven: self._driven_pose(moved)}
+        for _ in range(MOST_ITERATIONS):
+            rows = [list(row) for row in zip(*self._slopes(poses))]
+            change, pivots = solve(rows, [-gap for gap in self._residuals(poses)])
             if change is None:
-                return 0.0
-            for (name, k), delta in zip(unknowns, change):
-                pose = [*poses[name]]
-                pose[k] += delta
-                poses[name] = tuple(pose)
+                return None
+            for i, name in enumerate(self.names):
+                poses[name] = tuple(x + dx for x, dx in zip(poses[name], change[3 * i:3 * i + 3]))
+            far = max(abs(x - was) for name in self.names for x, was in zip(poses[name], self.poses[name]))
+            if far > LARGE_MOVE:
+                return None
             if max(map(abs, change)) < 1e-13:
-                self.poses = poses
-                return pivots
-        return 0.0
+                return poses, pivots
+        return None
+
+    def move(self, moved, halvings=0):
+        """Moves on to a position of the drive, in short steps from where the bodies are. How far the linear
+        system is from a singular one there, 0 where the position is not reached."""
+        reached = self._reach(moved)
+        if reached:
+            self.poses, pivots = reached
+            self.at = moved
+            return pivots
+        if halvings == MOST_HALVINGS or self.move((self.at + moved) / 2, halvings + 1) == 0:
+            return 0.0
+        return self.move(moved, halvings + 1)
 
     def points(self):
         """Where the pins and points of links are."""

@@ -45,22 +45,21 @@ class Describer {
     for (const std::size_t i : joints_of(drawing_, link)) {
       if (joins(joint(i), 0)) on_frame = i;
     }
-    const auto pin = driving_pin(link, on_frame);
-    if (!pin) return;
+    const std::size_t pin = driving_pin(link, on_frame);
     if (joint(on_frame).direction) {
-      axes_[link] = {joint(*pin).at, *joint(on_frame).direction};
+      axes_[link] = {joint(pin).at, *joint(on_frame).direction};
       described_.chain.drive =
-          SliderDescription{slide_of(on_frame, 0, joint(*pin).at), joint(*pin).name, name(link)};
+          SliderDescription{slide_of(on_frame, 0, joint(pin).at), joint(pin).name, name(link)};
     } else {
-      const auto length = length_of(link, on_frame, *pin);
-      const Vec2d along = joint(*pin).at - joint(on_frame).at;
+      const auto length = length_of(link, on_frame, pin);
+      const Vec2d along = joint(pin).at - joint(on_frame).at;
       if (length == 0) return;
       axes_[link] = {joint(on_frame).at, (1 / length) * along};
       described_.drive = angle_of(along);
       described_.chain.drive =
-          CrankDescription{joint(on_frame).name, joint(*pin).name, length, name(link)};
+          CrankDescription{joint(on_frame).name, joint(pin).name, length, name(link)};
     }
-    add_points(link, {on_frame, *pin});
+    add_points(link, {on_frame, pin});
   }
 
   void describe(const DrawnDyad& found) {
@@ -95,21 +94,13 @@ class Describer {
     return pins;
   }
 
-  /// A joint of the driving link that the drive's own does not coincide with, a pin rather than a
-  /// point.
-  std::optional<std::size_t> driving_pin(std::size_t link, std::size_t on_frame) {
-    std::optional<std::size_t> found;
-    for (const std::size_t i : pins_of(link)) {
-      if (i == on_frame) continue;
-      if (!found || (joint(*found).of.size() == 1 && joint(i).of.size() > 1)) found = i;
-    }
-    if (!found) {
-      faults_.add(joint(on_frame).where,
-                  fmt::format("joint {} alone is on {}, which drives; expected a pin or a point on "
-                              "it, too",
-                              in_quotes(joint(on_frame).name), in_quotes(name(link))));
-    }
-    return found;
+  /// A joint of the driving link other than the drive's own, a pin rather than a point: it has one.
+  std::size_t driving_pin(std::size_t link, std::size_t on_frame) const {
+    auto pins = pins_of(link);
+    std::erase(pins, on_frame);
+    const auto pin =
+        std::ranges::find_if(pins, [&](std::size_t i) { return joint(i).of.size() > 1; });
+    return pin != pins.end() ? *pin : pins.front();
   }
 
   /// From one joint of a link to another; 0, with a fault, where they coincide.
@@ -294,11 +285,33 @@ class Describer {
   double size_ = 0;
 };
 
+/// A driving link with no pin but that of the frame, such as a lever on which a block slides, has
+/// a point of its own beside it.
+Drawing with_driving_pin(Drawing drawing) {
+  const std::size_t link = drawing.driven;
+  const DrawnJoint* pivot = nullptr;
+  Vec2d along{1, 0};
+  double size = 0;
+  for (const DrawnJoint& joint : drawing.joints) {
+    size = std::max(size, norm1(joint.at));
+    if (!joins(joint, link)) continue;
+    const bool on_frame = joins(joint, 0);
+    if (on_frame) pivot = &joint;
+    if (!on_frame && !joint.direction) return drawing;
+    if (!on_frame) along = *joint.direction;
+  }
+  const Vec2d at = pivot->at + (size > 0 ? size : 1) * along;
+  drawing.joints.push_back(
+      {.name = drawing.links[link] + "-end", .of = {link}, .at = at, .where = pivot->where});
+  return drawing;
+}
+
 }  // namespace
 
-std::optional<DescribedDrawing> describe(const Drawing& drawing, const DrawnGroups& groups,
+std::optional<DescribedDrawing> describe(const Drawing& given, const DrawnGroups& groups,
                                          FaultList& faults) {
   const std::size_t before = faults.size();
+  const Drawing drawing = with_driving_pin(given);
   Describer describer(drawing, faults);
   describer.describe_frame();
   describer.describe_drive();
