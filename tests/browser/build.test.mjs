@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import { test } from "node:test";
-import { analysed, choose, click, drag, drawLinks, driveOf, factsOf, file, fix, hasKernel, jointsOf, linksOf, moving, pinsAt, saidOf, sheetOf, visit } from "./building.mjs";
+import { analysed, choose, click, drag, drawLinks, driveOf, factsOf, file, fix, jointsOf, linksOf, moving, pinsAt, saidOf, sheetOf, visit } from "./building.mjs";
 import { assertFits, distance, goesToAndFro, moves, some } from "./browser.mjs";
 import { couplerPose } from "./closures.mjs";
 
@@ -36,7 +36,7 @@ function meeting(p, q, r, s, near) {
 
 const assertNear = (p, q, what) => assert.ok(distance(p, q) < NEAR, `${what}: ${p} is not ${q}`);
 
-test("a four-bar is built with the mouse, and its point traces the curve of that linkage", { skip: !process.env.COGNATE }, () => visit({}, async (page) => {
+test("a four-bar is built with the mouse, and its point traces the curve of that linkage", () => visit({}, async (page) => {
   assert.ok(fs.statSync(file).size < 2e6);
   assert.equal(await saidOf(page), "Draw a first link.");
   await buildFourBar(page);
@@ -126,6 +126,43 @@ test("a rocker goes to and fro within its range about the position drawn", () =>
   assert.match(await saidOf(page), /to and fro between/);
   await page.locator("#speed").fill("3");
   await goesToAndFro(page, "#drive");
+}));
+
+test("a slider drives over the way that the links allow", () => visit({}, async (page) => {
+  await page.locator("[data-example=slider_crank]").click();
+  await moving(page);
+  await page.locator('[data-cell="link.S1.drives"]').check();
+  await page.waitForFunction(() => document.getElementById("state").textContent.includes("slider goes"));
+  const { A, B, C } = await jointsOf(page), [r, l] = [distance(A.at, B.at), distance(B.at, C.at)], [from, to] = await driveOf(page);
+  assert.ok(Math.abs(from - (l - r - (C.at[0] - A.at[0]))) < 0.01 && Math.abs(to - (l + r - (C.at[0] - A.at[0]))) < 0.01, `${from} to ${to}`);
+  for (let i = 1; i < 10; ++i) {
+    const way = from + (i * (to - from)) / 10, [b, c] = await pinsAt(page, way, ["B", "C"]);
+    assertNear(c, [C.at[0] + way, C.at[1]], "C");
+    assertNear(b, meeting(A.at, c, r, l, B.at), `B at ${way}`);
+  }
+  await assertSameFacts(page);
+}));
+
+test("by Tab one goes on from a field that was changed", () => visit({}, async (page) => {
+  await page.locator("[data-example=four_bar]").click();
+  await moving(page);
+  await page.locator('[data-cell="joint.B.x"]').focus();
+  for (const key of ["Control+a", "-", "1", "6", "Tab", "Control+a", "-", "4", "Tab"]) await page.keyboard.press(key);
+  assert.deepEqual((await jointsOf(page)).B.at, [-16, -4]);
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.cell), "joint.B.fixed");
+  await page.locator('[data-cell="joint.B.name"]').fill("crank.pin");
+  await page.keyboard.press("Tab");
+  await page.waitForFunction(() => document.activeElement.dataset.cell === "joint.crank.pin.name");
+}));
+
+test("what has begun is cancelled by Escape", () => visit({}, async (page) => {
+  await choose(page, "link");
+  await click(page, [-30, 0]);
+  await page.keyboard.press("Escape");
+  await click(page, [20, 0]);
+  await click(page, [20, 20]);
+  const joints = await jointsOf(page);
+  assert.deepEqual(Object.values(joints).map(({ at }) => at), [[20, 0], [20, 20]]);
 }));
 
 test("joints are dragged, joined and removed, and every step is undone and made again", () => visit({}, async (page) => {
@@ -353,7 +390,3 @@ for (const options of some([{ size: "phone", scheme: "dark" }, { size: "laptop" 
     if (options.locale) assert.doesNotMatch((await page.locator("main").innerText()).replaceAll("Delete", ""), /[A-Za-z]{5}/);
   }));
 }
-
-test("a page without the kernel says so", { skip: hasKernel }, () => visit({}, async (page) => {
-  if (!hasKernel) assert.ok(await page.locator("#no-kernel").isVisible());
-}));

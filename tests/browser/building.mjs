@@ -11,19 +11,18 @@ import { View } from "../../app/report/page/view.js";
 import { launch, open } from "./browser.mjs";
 
 let browser, folder;
-export let file, hasKernel;
+export let file;
 before(async () => {
   browser = await launch();
   folder = fs.mkdtempSync(path.join(os.tmpdir(), "cognate-building-"));
   file = path.join(folder, "mechanism.html");
   execFileSync(process.env.COGNATE, ["sketch", "--mechanism", "--out", file]);
-  hasKernel = !fs.readFileSync(file, "utf8").includes('id="kernel"></script>');
 });
 after(async () => { await browser?.close(); fs.rmSync(folder, { recursive: true }); });
 
 export async function visit(options, steps) {
   const { page, faults, close } = await open(browser, file, { motion: "reduce", ...options });
-  await page.locator("[data-tool=move][aria-checked=true]").waitFor();
+  await page.locator(".build-tool[aria-checked=true]").waitFor();
   await steps(page);
   assert.deepEqual(faults, []);
   await close();

@@ -39,9 +39,9 @@ const DOES = {
   key: (page) => page.keyboard.press(pick(KEYS)),
   typed,
   away: (page) => page.evaluate((share) => { const all = [...document.querySelectorAll(".build-away")]; all[Math.floor(share * all.length)]?.click(); }, random()),
-  example: (page) => page.evaluate((share) => { const all = document.querySelectorAll("[data-example]"); if (share < 0.3) all[Math.floor(share * 3.33 * all.length)].click(); }, random()),
+  example: (page) => page.evaluate((share) => { const all = document.querySelectorAll("[data-example]"); if (share < 0.8) all[Math.floor((share / 0.8) * all.length)].click(); }, random()),
   step: (page) => page.evaluate((id) => document.getElementById(id).click(), pick(["undo", "undo", "undo", "redo"])),
-  drive: (page) => page.evaluate((share) => {
+  goes: (page) => page.evaluate((share) => {
     const slider = document.getElementById("drive");
     slider.value = Number(slider.min) + share * (slider.max - slider.min);
     slider.dispatchEvent(new Event("input", { bubbles: true }));

@@ -196,7 +196,7 @@ function listen() {
   byId("drive").addEventListener("input", (event) => goTo(event.target.valueAsNumber, true));
   byId("examples").append(...Object.entries(EXAMPLES).map(([name, state]) => {
     const button = element("button", { type: "button", class: "chip", "data-example": name }, say(`build.example_${name}`));
-    button.addEventListener("click", () => desk.change(state));
+    button.addEventListener("click", () => { chooseTool("move"); desk.change(state); });
     return button;
   }));
   new ResizeObserver(draw).observe(byId("picture"));
@@ -225,9 +225,10 @@ if (!Kernel.available) {
   byId("notes-list").append(element("li", { id: "no-kernel" }, say("build.no_kernel")));
 }
 followTheme(() => results.redraw());
-toolbar.show(desk.tool);
 scene.take(desk.state, null, null);
 scene.build();
+// On an empty sheet one begins with links.
+chooseTool(desk.state.links.length ? "move" : "link");
 listen();
 begin();
 controls.start();

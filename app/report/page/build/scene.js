@@ -16,7 +16,7 @@ const GRID = 10;
 const BAR_WIDTH = 6;
 const TINTS = ["--coupler", "--rocker", "--link-b", "--link-c", "--link-d"];
 const STILL_MOVE = [0, 0, 1, 0];
-const NAME_AWAY = 18, BESIDE_GROUND = [22, 7];   // pixels
+const NAME_AWAY = 18, BESIDE_GROUND = [22, 7], BEYOND_TIP = [30, 14];   // pixels
 
 export class BuildScene extends Picture {
   constructor(frame, label) {
@@ -209,6 +209,6 @@ export class BuildScene extends Picture {
     const place = this.at.get(on), p = place && this.view.screen(place), long = Math.hypot(...way) || 1;
     for (const line of lines) set(line, { d: p ? arrowPath(p, way) : "" });
     text.toggleAttribute("hidden", !p);
-    if (p) set(text, { x: round(p[0] + way[0] + (14 * way[0]) / long), y: round(p[1] + way[1] + (14 * way[1]) / long) });
+    if (p) set(text, { x: round(p[0] + way[0] + (BEYOND_TIP[0] * way[0]) / long), y: round(p[1] + way[1] + (BEYOND_TIP[1] * way[1]) / long) });
   }
 }
