@@ -117,6 +117,9 @@ void check_drawing(const Drawing& drawing, const DrawnGroups& groups, TableReade
   const std::size_t before = place.faults().size();
   check_pairs(drawing, place.faults());
   if (place.faults().size() != before) return;
+  if (drawing.links.size() == 2) {
+    return place.fault("joint", "moves the driven link alone; expected links that it moves");
+  }
   if (mobility_of(drawing).value() != 1) return check_mobility(drawing, groups, place);
   check_groups(drawing, groups, place);
 }
