@@ -12,8 +12,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A page of its name, with the unit of its lengths.
+struct Page {
+  const char* name;
+  std::string (*text)();
+  const char* length_unit;
+};
+
+constexpr Page kCurvePage{"sketch.html", sketch_page, ""};
+constexpr Page kMechanismPage{"mechanism.html", build_page, "mm"};
+
 /// Writes the page to `file`; nothing is replaced.
-FileResult write_sketch(const fs::path& file) {
+FileResult write_page(const Page& page, const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
   const auto ready = prepare_folder(folder, {file.filename().string()});
   if (!ready) return ready;
@@ -22,18 +32,20 @@ FileResult write_sketch(const fs::path& file) {
     return tl::unexpected(printable(file.string()) +
                           ": is there already; move it, or choose another name with --out");
   }
-  return write_file(file, filled_page(sketch_page(), nlohmann::ordered_json::object(), ""));
+  return write_file(
+      file, filled_page(page.text(), nlohmann::ordered_json::object(), page.length_unit));
 }
 
 }  // namespace
 
-ExitStatus sketch_command(const Options& options) {
-  const fs::path file = options.out.value_or("sketch.html").lexically_normal();
+ExitStatus sketch_command(bool mechanism, const Options& options) {
+  const Page& page = mechanism ? kMechanismPage : kCurvePage;
+  const fs::path file = options.out.value_or(page.name).lexically_normal();
   if (!file.has_filename()) {
     complain(printable(file.string()) + ": is a folder; --out expects the name of a file");
     return exit_bad_input;
   }
-  if (const auto written = write_sketch(file); !written) {
+  if (const auto written = write_page(page, file); !written) {
     complain(written.error());
     return exit_bad_input;
   }
