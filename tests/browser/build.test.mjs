@@ -155,6 +155,26 @@ test("by Tab one goes on from a field that was changed", () => visit({}, async (
   await page.waitForFunction(() => document.activeElement.dataset.cell === "joint.crank.pin.name");
 }));
 
+test("arrows move what is selected", () => visit({}, async (page) => {
+  await page.locator("[data-example=four_bar]").click();
+  await moving(page);
+  await click(page, [20, 18]);
+  for (const key of ["ArrowUp", "Shift+ArrowLeft"]) await page.keyboard.press(key);
+  assert.deepEqual((await jointsOf(page)).C.at, [15, 19]);
+  await moving(page);
+  // A link goes with its joints.
+  await page.locator('[data-cell="link.L3.name"]').focus();
+  await page.locator("#sheet").focus();
+  await page.keyboard.press("ArrowRight");
+  const { C, D } = await jointsOf(page);
+  assert.deepEqual([C.at, D.at], [[16, 19], [23, -15]]);
+  // With nothing selected the cross moves.
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("ArrowRight");
+  assert.deepEqual((await jointsOf(page)).C.at, [16, 19]);
+  assert.ok(await page.locator(".sketch-cross").isVisible());
+}));
+
 test("what has begun is cancelled by Escape", () => visit({}, async (page) => {
   await choose(page, "link");
   await click(page, [-30, 0]);

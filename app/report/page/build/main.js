@@ -13,7 +13,6 @@ import { Zoom } from "../zoom.js";
 import { addressOfState, readState } from "./address.js";
 import { problemOfState } from "./chain.js";
 import { Desk } from "./desk.js";
-import { moveJoint } from "./edits.js";
 import { EXAMPLES } from "./examples.js";
 import { Hand, stepOf } from "./hand.js";
 import { stateText } from "./lacks.js";
@@ -36,7 +35,7 @@ const stage = new Stage(scene, { moved: () => hand.show(desk.state.joints.map(({
 const desk = new Desk(opened ?? EMPTY, { spot: (place, reach) => seenSpot(scene, desk.state, place, reach), snap: (place) => snapTo(place, scene.view), hold: () => stage.hold(), show: follow, settle,
   preview: (from, to) => hand.preview(from, to, (spot) => scene.at.get(spot.joint)), pan: ([x, y]) => zoom.pan(x, y), refuse: (why) => { refused = say(`build.refused_${why}`); } });
 const hand = new Hand(byId("picture"), () => scene.view, { press: (...at) => desk.press(...at), move: (...at) => desk.move(...at), lift: (...at) => desk.lift(...at), put: (...at) => desk.click(...at), hover, cancel: () => desk.cancel(),
-  key: answerKey, focus: (name) => { if (desk.chosen?.joint !== name) desk.select({ joint: name }); } });
+  leave, carry: carryByKey, key: answerKey, focus: (name) => { if (desk.chosen?.joint !== name) desk.select({ joint: name }); } });
 const toolbar = new Toolbar(chooseTool);
 listenToKeys();
 const zoom = new Zoom(byId("stage"), byId("picture"), () => scene, () => stage.draw(), false);
@@ -118,13 +117,23 @@ function chooseTool(tool) {
   desk.choose(tool);
 }
 
+function leave() { if (!desk.pending && !desk.from) stage.release(); }
+
+function carryByKey(event) {
+  const step = stepOf(event);
+  if (!step || !desk.chosen || desk.tool !== "move") return false;
+  desk.carry(step.map((x) => x * stepIn(scene.view)));
+  return true;
+}
+
 // Of a joint: arrows move it, Delete removes it, Enter does what a click of the tool does.
 function answerKey(name, event) {
   const step = stepOf(event), joint = jointOf(desk.state, name);
   if (event.key === "Delete" || event.key === "Backspace") { desk.remove({ joint: name }); hand.focus(desk.state.joints[0]?.name); return true; }
   if (event.key === "Enter" || event.key === " ") { desk.click(joint.at, 0, { joint: name }); return true; }
   if (!step) return false;
-  desk.change(moveJoint(desk.state, name, joint.at.map((x, k) => Number((x + step[k] * stepIn(scene.view)).toPrecision(9)))));
+  desk.chosen = { joint: name };
+  desk.carry(step.map((x) => x * stepIn(scene.view)));
   return true;
 }
 

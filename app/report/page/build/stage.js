@@ -73,6 +73,11 @@ export class Stage {
     this.#move();
   }
 
+  release() {
+    this.isHeld = false;
+    this.#move();
+  }
+
   draw() {
     this.scene.build();
     this.#move();
