@@ -5,6 +5,7 @@ import { test } from "node:test";
 import { analysed, choose, click, drag, drawLinks, driveOf, factsOf, file, fix, jointsOf, linksOf, moving, pinsAt, saidOf, sheetOf, visit } from "./building.mjs";
 import { assertFits, distance, goesToAndFro, moves, some } from "./browser.mjs";
 import { couplerPose } from "./closures.mjs";
+import { gapOf } from "./rigidity.mjs";
 
 const RADIANS = Math.PI / 180;
 const NEAR = 0.02;   // mm: pins are drawn to a hundredth of a pixel, and between samples they are interpolated
@@ -315,6 +316,10 @@ for (const example of ["four_bar", "slider_crank", "six_bar", "quick_return"]) {
     await page.locator(`[data-example=${example}]`).click();
     await moving(page);
     assert.equal(await saidOf(page), "Mobility 1: the drive turns fully.");
+    // It begins where it is drawn, and holds together.
+    const joints = await jointsOf(page), names = Object.keys(joints);
+    (await pinsAt(page, (await driveOf(page))[0], names)).forEach((place, i) => assertNear(place, joints[names[i]].at, names[i]));
+    assert.ok(await gapOf(page) < 0.1);
     await assertSameFacts(page);
   }));
 }
