@@ -210,6 +210,8 @@ CommandLine::CommandLine() : app(kDescription, "cognate") {
   add_export_options(exporting, arguments);
   auto& sketch =
       add_command("sketch", "Write a page to draw on: curves, or a mechanism.", kSketchFooter);
+  sketch.add_option("FILE", arguments.file, "a mechanism to begin with, TOML file");
+  endings["sketch"] = {".toml"};
   sketch.add_flag("--mechanism", arguments.mechanism, "the page on which a mechanism is built");
   sketch.add_option("--out", arguments.out, "the page (default: sketch.html, mechanism.html)")
       ->type_name("FILE");

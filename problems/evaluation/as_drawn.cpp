@@ -62,7 +62,9 @@ tl::expected<NamedMechanism, std::string> read_again(const Table& mechanism) {
   reading::FaultList faults;
   reading::TableReader document(nothing, faults), table(mechanism, faults);
   auto read = reading::read_whole_mechanism(document, table);
-  if (!faults.empty()) return tl::unexpected(std::move(faults).sorted().front().message);
+  if (!faults.empty()) {
+    return tl::unexpected("where its drive begins, " + std::move(faults).sorted().front().message);
+  }
   return std::move(read->mechanism);
 }
 

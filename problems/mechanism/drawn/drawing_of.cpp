@@ -30,9 +30,10 @@ class Draughtsman {
 
   tl::expected<DrawnMechanism, std::string> draw(double drive) {
     if (!drives_from_frame(mechanism_.mechanism.drive)) {
-      return refusal("is driven by no link that has a joint with the frame");
+      return refusal("the mechanism is driven by no link that has a joint with the frame");
     }
-    if (!motion_.move_to(drive)) return refusal("cannot be assembled where its drive begins");
+    if (!motion_.move_to(drive))
+      return refusal("the mechanism cannot be assembled where its drive begins");
     add_joints();
     add_points();
     name_links();
