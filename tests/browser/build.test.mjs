@@ -350,6 +350,27 @@ test("a range that is not a whole turn is in the file", () => visit({}, async (p
   await assertSameFacts(page);
 }));
 
+const LIBRARY = new URL("../../problems/library/analysis/", import.meta.url).pathname;
+for (const name of some(["jansen-leg", "stephenson-six-bar", "fixed-block", "shaper", "toggle-press", "klann-leg", "scotch-yoke", "double-rocker", "slotter", "tangent-generator", "oscillating-block", "pump-jack"])) {
+  test(`the page begins with the mechanism of ${name}`, () => visit({ problem: `${LIBRARY}${name}.toml` }, async (page) => {
+    await moving(page);
+    const joints = await jointsOf(page), names = Object.keys(joints), [from, to] = await driveOf(page);
+    const drawn = await pinsAt(page, from, names);
+    assert.ok(names.length > 1 && drawn.flat().every(Number.isFinite));
+    // That of a tangent generator runs to infinity, and its lever is measured otherwise as a chain.
+    const isBounded = name !== "tangent-generator";
+    if (isBounded) assert.ok(await gapOf(page) < 0.5);
+    // It fills the sheet.
+    const [width, height] = [0, 1].map((k) => Math.max(...drawn.map((p) => p[k])) - Math.min(...drawn.map((p) => p[k])));
+    assert.ok(Math.max(width, height) > 15 && Math.max(width, height) < 200, `${width} by ${height}`);
+    await page.locator("[data-take=copy_problem]").click();
+    const [own, original] = [await analysed(await page.locator("#taken").inputValue()), await analysed(fs.readFileSync(`${LIBRARY}${name}.toml`, "utf8"))].map(({ designs: [{ metrics }] }) => metrics);
+    assert.deepEqual(own.topology, original.topology);
+    // A file may move it through a part of its range.
+    for (const key of ["min", "max"]) if (isBounded && to - from > 359.9 && original.transmission_angle_deg) assert.ok(Math.abs(own.transmission_angle_deg[key] - original.transmission_angle_deg[key]) < 0.02);
+  }));
+}
+
 test("the address holds the mechanism", () => visit({}, async (page) => {
   await page.locator("[data-example=quick_return]").click();
   await moving(page);

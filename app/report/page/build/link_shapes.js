@@ -13,9 +13,9 @@ export function linkShape(state, name, scale, railOf) {
   const origin = jointsOn(state, name)[0]?.at ?? pinOf(state, state.sliders.find(({ on }) => on === name)).at;
   const local = ([x, y]) => [scale * (x - origin[0]), scale * (origin[1] - y)];
   const own = state.sliders.find(({ block }) => block === name);
-  const body = own ? [riderPart(directionOf(state, own))] : plateParts(hullOf(jointsOn(state, name).map(({ at }) => at)).map(local));
+  const body = plateParts(hullOf(jointsOn(state, name).map(({ at }) => at)).map(local)), rider = own ? [riderPart(directionOf(state, own))] : [];
   const slots = state.sliders.filter(({ on }) => on === name).flatMap((slider) => slotParts(railOf(slider).map(local)));
-  return { origin, parts: [...body, ...slots], isRider: Boolean(own) };
+  return { origin, parts: [...body, ...rider, ...slots], isRider: Boolean(own) };
 }
 
 const riderPart = (degrees) => svg("path", { class: "block", d: blockPath(RIDER.length, RIDER.height), transform: `rotate(${round(-degrees)})` });

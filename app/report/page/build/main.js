@@ -3,6 +3,7 @@
 import { followTheme } from "../appearance.js";
 import { byId, element, set } from "../dom.js";
 import { AnalysisKernel } from "../edit/analysis_kernel.js";
+import { embedded } from "../embedded.js";
 import { Kernel } from "../kernel.js";
 import { listenToUndo, shortcut } from "../keys.js";
 import { Saves } from "../saves.js";
@@ -14,6 +15,7 @@ import { addressOfState, readState } from "./address.js";
 import { problemOfState } from "./chain.js";
 import { Desk } from "./desk.js";
 import { EXAMPLES } from "./examples.js";
+import { stateOfProblem } from "./given.js";
 import { Hand, stepOf } from "./hand.js";
 import { stateText } from "./lacks.js";
 import { Lists } from "./lists.js";
@@ -29,10 +31,10 @@ import { Toolbar } from "./toolbar.js";
 // page knows it.
 let analyst = null, answer = {}, analysed = null, refused = "", kept = location.href;
 
-const opened = readState();
+const opened = readState(), given = givenState();
 const scene = new BuildScene(byId("picture"), say("build.picture"));
 const stage = new Stage(scene, { moved: () => hand.show(desk.state.joints.map(({ name, at }) => ({ name, at: scene.at.get(name) ?? at }))), reached: (drive) => results.move(drive) });
-const desk = new Desk(opened ?? EMPTY, { spot: (place, reach) => seenSpot(scene, desk.state, place, reach), snap: (place) => snapTo(place, scene.view), hold: () => stage.hold(), show: follow, settle,
+const desk = new Desk(opened ?? given?.state ?? EMPTY, { spot: (place, reach) => seenSpot(scene, desk.state, place, reach), snap: (place) => snapTo(place, scene.view), hold: () => stage.hold(), show: follow, settle,
   preview: (from, to) => hand.preview(from, to, (spot) => scene.at.get(spot.joint)), pan: ([x, y]) => zoom.pan(x, y), refuse: (why) => { refused = say(`build.refused_${why}`); } });
 const hand = new Hand(byId("picture"), () => scene.view, { press: (...at) => desk.press(...at), move: (...at) => desk.move(...at), lift: (...at) => desk.lift(...at), put: (...at) => desk.click(...at), hover, cancel: () => desk.cancel(),
   leave, carry: carryByKey, key: answerKey, focus: (name) => { if (desk.chosen?.joint !== name) desk.select({ joint: name }); } });
@@ -42,6 +44,18 @@ const zoom = new Zoom(byId("stage"), byId("picture"), () => scene, () => stage.d
 const lists = new Lists({ state: () => desk.state, change: (next) => desk.change(next, desk.chosen, "field"), chosen: () => desk.chosen, select: (one) => desk.select(one) });
 const results = new Results({ goTo: (to) => stage.goTo(to, true), tintOf: (link) => scene.tintOf(link) });
 const taken = new TakenText(byId("takings"), [["build.copy_problem", toml, null], ["build.save_problem", toml, "mechanism"], ["sketch.copy_link", () => location.href, null]], say("sketch.file"));
+
+// The mechanism that the program has written into the page; null where the page cannot hold it, undefined where there is none.
+function givenState() {
+  const data = JSON.parse(embedded("data"));
+  return data.problem ? stateOfProblem(data) : undefined;
+}
+
+function note(words) {
+  byId("notes").hidden = false;
+  document.querySelector("#main > .side").after(byId("notes"));
+  byId("notes-list").append(element("li", { "data-note": words }, say(words)));
+}
 
 function toml() { return problemToml({ title: say("build.title_of_file"), ...problemOfState(desk.state, answer.range) }); }
 
@@ -173,10 +187,8 @@ byId("title").textContent = say("build.title");
 document.title = `${say("build.title")} – Cognate`;
 byId("summary").textContent = say("build.summary");
 byId("work").remove();
-if (!Kernel.available) {
-  byId("notes").hidden = false;
-  byId("notes-list").append(element("li", { id: "no-kernel" }, say("build.no_kernel")));
-}
+if (!Kernel.available) note("build.no_kernel");
+if (given === null) note("build.not_given"); else if (given && !given.isWhole) note("build.given_in_part");
 followTheme(() => results.redraw());
 stage.take(desk, null);
 // On an empty sheet one begins with links.
@@ -189,5 +201,7 @@ if (Kernel.available) {
     analyst = new Analyst(kernel);
     analysed = null;
     begin();
+    scene.look();
+    stage.draw();
   });
 }

@@ -5,6 +5,7 @@ import { number } from "../format.js";
 import { Picture } from "../picture.js";
 import { RADIANS } from "../sampling.js";
 import { arrowPath, groundSign, guideSign, pathWithGaps, round } from "../shapes.js";
+import { boxOf, diagonal, View } from "../view.js";
 import { say } from "../words.js";
 import { FORCE_SCALE } from "./hits.js";
 import { linkShape, RIDER } from "./link_shapes.js";
@@ -12,9 +13,12 @@ import { directionOf, driverOf, FRAME, isBlock, isFixed, jointsOn, pinOf } from 
 import { after, before } from "./motion.js";
 import { BUILD_SHEET } from "./sheet.js";
 
-const GRID = 10;
+const GRID_PIXELS = 16;   // between lines at least
 const TINTS = ["--coupler", "--rocker", "--link-b", "--link-c", "--link-d"];
 const STILL_MOVE = [0, 0, 1, 0];
+const FAR_AWAY = 3;   // sizes of the mechanism
+const RAIL_MOST = 2;  // widths of the picture
+const SMALL = 0.3, LARGE = 1.2;   // of the width of the sheet
 const NAME_AWAY = 18, BESIDE_GROUND = [22, 7], BEYOND_TIP = [30, 14];   // pixels
 
 export class BuildScene extends Picture {
@@ -54,7 +58,7 @@ export class BuildScene extends Picture {
 
   #grid() {
     const { view } = this, [left, top] = view.plane([0, 0]), [right, bottom] = view.plane([view.width, view.height]);
-    const step = GRID * 10 ** Math.max(0, Math.ceil(Math.log10(GRID / (GRID * view.scale))));
+    const step = 10 ** Math.ceil(Math.log10(GRID_PIXELS / view.scale));
     const lines = (from, to) => Array.from({ length: Math.floor(to / step) - Math.ceil(from / step) + 1 }, (_, i) => (Math.ceil(from / step) + i) * step);
     const across = lines(left, right).map((x) => `M${round(view.screen([x, 0])[0])} 0V${view.height}`);
     const down = lines(bottom, top).map((y) => `M0 ${round(view.screen([0, y])[1])}H${view.width}`);
@@ -76,20 +80,33 @@ export class BuildScene extends Picture {
   // The ends of the way of a slider's pin along its line, in the position drawn of what it slides on.
   #rail(slider) {
     const pin = pinOf(this.state, slider), angle = directionOf(this.state, slider) * RADIANS, way = [Math.cos(angle), Math.sin(angle)];
-    const least = 4 / this.view.scale, along = [-least, least];
+    const least = 4 / this.view.scale, most = RAIL_MOST * (this.view.width / this.view.scale), along = [-least, least];
     for (const moves of this.#sampled()) {
       const [block, on] = [slider.block, slider.on].map((name) => moves.get(name));
       if (!block || !on) continue;
       const p = before(on, after(block, pin.at));
       const t = (p[0] - pin.at[0]) * way[0] + (p[1] - pin.at[1]) * way[1];
-      along[0] = Math.min(along[0], t);
-      along[1] = Math.max(along[1], t);
+      along[0] = Math.max(-most, Math.min(along[0], t));
+      along[1] = Math.min(most, Math.max(along[1], t));
     }
     return along.map((t) => pin.at.map((x, k) => x + t * way[k]));
   }
 
-  // What the mechanism reaches: its joints, and their paths.
-  get reached() { return [...this.state.joints.map(({ at }) => at), ...[...this.paths.values()].flat().filter(Boolean)]; }
+  // Looks at a mechanism from near or far, where it is small on the sheet or goes beyond it.
+  look() {
+    const box = boxOf(this.reached), size = Math.max(box.x1 - box.x0, box.y1 - box.y0), { view } = this;
+    if (!(size > 0) || (size > SMALL * (BUILD_SHEET.x1 - BUILD_SHEET.x0) && size < LARGE * (BUILD_SHEET.x1 - BUILD_SHEET.x0) && Math.abs(box.x0 + box.x1) < size && Math.abs(box.y0 + box.y1) < size)) return;
+    const fitting = new View(box, view.width, view.height, view.margin);
+    Object.assign(this.camera, { factor: fitting.scale / view.whole.scale, shift: fitting.centre.map((x, k) => x - view.whole.centre[k]), widened: true });
+    this.build();
+  }
+
+  // What the mechanism reaches: its joints, and their paths but for what is far away, where a way has no end.
+  get reached() {
+    const joints = this.state.joints.map(({ at }) => at), box = boxOf(joints), far = FAR_AWAY * diagonal(box);
+    const isNear = (p) => p && Math.hypot(p[0] - (box.x0 + box.x1) / 2, p[1] - (box.y0 + box.y1) / 2) <= far;
+    return [...joints, ...[...this.paths.values()].flat().filter(isNear)];
+  }
 
   // The moves of all bodies at every sample of the motion.
   #sampled() {

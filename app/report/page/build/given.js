@@ -1,0 +1,34 @@
+// The mechanism of a file that the page was written with: a problem by its joints as drawn, and how many millimetres a unit of it is.
+
+import { EMPTY, FRAME, isSound, jointOf } from "./model.js";
+
+const linksNamed = (joints) => [...new Set(joints.flatMap(({ of }) => of))].filter((name) => name !== FRAME);
+
+// Of the two links of a slide the slider: the one with a pin that is not the frame, rather one with a single pin.
+function slideOf(pins, { name, of, direction_deg: degrees }) {
+  const count = (link) => (link === FRAME ? Infinity : pins.filter((pin) => pin.of.includes(link)).length || Infinity);
+  const [block, on] = count(of[0]) <= count(of[1]) ? of : [of[1], of[0]];
+  return { name, block, on, degrees, along: null };
+}
+
+// The line of a bar on which a block slides goes by two of its joints, where it is theirs.
+function byJoints(pins, slider) {
+  const at = pins.find(({ of }) => of.includes(slider.block))?.at, angle = (slider.degrees * Math.PI) / 180;
+  const isOn = (p, q) => Math.abs((q[0] - p[0]) * Math.sin(angle) - (q[1] - p[1]) * Math.cos(angle)) <= 1e-9 * Math.hypot(q[0] - p[0], q[1] - p[1]);
+  const own = slider.on === FRAME ? [] : pins.filter(({ of, at: place }) => of.includes(slider.on) && (!at || isOn(at, place)));
+  return own.length > 1 ? { ...slider, along: own.slice(0, 2).map(({ name }) => name) } : slider;
+}
+
+// A force at a point that acts always.
+const isPlain = (pins, { on, force, torque = 0, when = "always", stroke = null }) => !torque && when === "always" && stroke === null && Array.isArray(force) && pins.some(({ name }) => name === on);
+
+// {state, isWhole}: whether all of the file is on the page; null where the page cannot hold the mechanism.
+export function stateOfProblem({ problem: { mechanism, link = [], load = [], gravity = null }, millimetres }) {
+  const pins = mechanism.joint.filter(({ at }) => at).map(({ name, at, of }) => ({ name, at: at.map((x) => millimetres * x), of }));
+  const slides = mechanism.joint.filter(({ at }) => !at), forces = load.filter((one) => isPlain(pins, one));
+  const massOf = (name) => link.find((one) => (one.name ?? one.between?.[0]) === name)?.mass ?? 0;
+  const state = { ...EMPTY, joints: pins, sliders: slides.map((slide) => byJoints(pins, slideOf(pins, slide))), links: linksNamed(mechanism.joint).map((name) => ({ name, mass: massOf(name) })),
+    driven: mechanism.driven, loads: forces.map(({ on, force }) => ({ on, force })), weighs: (gravity?.[1] ?? 0) < 0 };
+  const isWhole = link.length === 0 && forces.length === load.length;
+  return isSound(state) && forces.every(({ on }) => jointOf(state, on)) ? { state, isWhole } : null;
+}
