@@ -30,7 +30,7 @@ function placesAt({ bodies }, k) {
 const isSlid = (state) => state.sliders.some(({ block, on }) => on === FRAME && block === driverOf(state));
 
 // A mechanism in motion whose bodies are known by their names in the state.
-export class BuiltMotion {
+class BuiltMotion {
   constructor(data, drawn, sweep) {
     const { drive } = data.mechanism;
     Object.assign(this, { data, drawn, start: sweep.start });

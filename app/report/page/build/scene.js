@@ -4,16 +4,15 @@ import { set, svg } from "../dom.js";
 import { number } from "../format.js";
 import { Picture } from "../picture.js";
 import { RADIANS } from "../sampling.js";
-import { arrowPath, barPath, blockPath, groundSign, guideSign, pathThrough, pathWithGaps, round } from "../shapes.js";
+import { arrowPath, groundSign, guideSign, pathWithGaps, round } from "../shapes.js";
 import { say } from "../words.js";
-import { FORCE_SCALE, hullOf } from "./hits.js";
+import { FORCE_SCALE } from "./hits.js";
+import { linkShape, RIDER } from "./link_shapes.js";
 import { directionOf, driverOf, FRAME, isBlock, isFixed, jointsOn, pinOf } from "./model.js";
 import { after, before } from "./motion.js";
 import { BUILD_SHEET } from "./sheet.js";
 
-const RIDER = { length: 28, height: 16 };   // of a slider's block, in pixels
 const GRID = 10;
-const BAR_WIDTH = 6;
 const TINTS = ["--coupler", "--rocker", "--link-b", "--link-c", "--link-d"];
 const STILL_MOVE = [0, 0, 1, 0];
 const NAME_AWAY = 18, BESIDE_GROUND = [22, 7], BEYOND_TIP = [30, 14];   // pixels
@@ -46,8 +45,8 @@ export class BuildScene extends Picture {
     this.paths = new Map(this.state.joints.map((joint) => [joint.name, this.#pathOf(joint)]));
     this.#drawPaths();
     this.bodies = this.state.links.map((link) => this.#body(link));
-    this.layers.links.append(...this.bodies.filter(({ rider }) => !rider).map(({ part }) => part));
-    this.layers.riders.append(...this.bodies.filter(({ rider }) => rider).map(({ part }) => part));
+    this.layers.links.append(...this.bodies.filter(({ isRider }) => !isRider).map(({ part }) => part));
+    this.layers.riders.append(...this.bodies.filter(({ isRider }) => isRider).map(({ part }) => part));
     this.#pins();
     this.#loads();
     this.move(null);
@@ -112,32 +111,11 @@ export class BuildScene extends Picture {
     }
   }
 
-  // A link in pixels about its first joint.
   #body({ name }) {
-    const { state, view } = this, origin = jointsOn(state, name)[0]?.at ?? pinOf(state, state.sliders.find(({ on }) => on === name)).at;
-    const local = ([x, y]) => [view.scale * (x - origin[0]), view.scale * (origin[1] - y)];
-    const slider = state.sliders.find(({ block }) => block === name);
-    const parts = slider ? [this.#rider(directionOf(state, slider))] : this.#plate(hullOf(jointsOn(state, name).map(({ at }) => at)).map(local));
-    for (const rail of state.sliders.filter(({ on }) => on === name)) parts.push(...this.#slot(this.#rail(rail).map(local)));
-    const isChosen = this.chosen?.link === name;
-    const part = svg("g", { class: `build-link${isChosen ? " chosen" : ""}`, "data-link": name, style: `--tint:var(${this.tintOf(name)})` }, svg("title", {}, name), ...parts);
-    return { name, origin, part, rider: Boolean(slider) };
-  }
-
-  #rider(degrees) { return svg("path", { class: "block", d: blockPath(RIDER.length, RIDER.height), transform: `rotate(${round(-degrees)})` }); }
-
-  #plate(corners) {
-    if (corners.length > 2) {
-      const d = `${pathThrough(corners)}Z`;
-      return [svg("path", { class: "plate", d, style: `stroke-width:${2 * BAR_WIDTH}` }), svg("path", { class: "plate-edge", d })];
-    }
-    return corners.length === 2 ? [svg("path", { class: "link", d: barPath(corners[0], corners[1], BAR_WIDTH) })] : [];
-  }
-
-  #slot([p, q]) {
-    const length = Math.hypot(q[0] - p[0], q[1] - p[1]) || 1, over = RIDER.length / 2 + 3;
-    const ends = [[p, -1], [q, 1]].map(([end, side]) => end.map((x, k) => x + (side * over * (q[k] - p[k])) / length));
-    return [svg("path", { class: "link", d: barPath(...ends, RIDER.height / 2 + 1) }), svg("path", { class: "groove", d: barPath(...ends, RIDER.height / 2 - 3.5) })];
+    const { state, view } = this, classes = `build-link${this.chosen?.link === name ? " chosen" : ""}`;
+    const { origin, parts, isRider } = linkShape(state, name, view.scale, (slider) => this.#rail(slider));
+    const part = svg("g", { class: classes, "data-link": name, style: `--tint:var(${this.tintOf(name)})` }, svg("title", {}, name), ...parts);
+    return { name, origin, part, isRider };
   }
 
   #pins() {
