@@ -21,6 +21,11 @@ VALUES = {
     "best.": ["dwell", "function", "leg", "path", "motion"],
     "bill.": ["plate", "cylinder", "pin", "spacer", "length", "width", "thickness", "outside", "bore",
               "stroke"],
+    "build.": ["move", "link", "pivot", "slider", "point", "drive", "load"],
+    "build.${}_hint": ["move", "link", "pivot", "slider", "point", "drive", "load"],
+    "build.choose_": ["move", "link", "pivot", "slider", "point", "drive", "load"],
+    "build.example_": ["four_bar", "slider_crank", "six_bar", "quick_return"],
+    "build.refused_": ["move", "link", "pivot", "slider", "point", "drive", "load", "field"],
     "cam.": ["base_radius", "prime_radius", "offset", "roller_radius", "centre_distance", "arm",
              "face_offset"],
     "closure.": ["groove", "conjugate", "constant-breadth"],
@@ -87,7 +92,7 @@ VALUES = {
 }
 
 # Literals that look like text and are none: keys of the keyboard, names, fonts, values of CSS.
-NO_TEXT = {"Cognate", "Delete", "Esc", "Escape", "Enter", "Home", "End", "Tab", "Space",
+NO_TEXT = {"Cognate", "Delete", "Backspace", "Esc", "Escape", "Enter", "Home", "End", "Tab", "Space",
            "use strict", "no words for ${}"}
 
 Literal = collections.namedtuple("Literal", "text start end")

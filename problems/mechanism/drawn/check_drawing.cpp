@@ -15,6 +15,11 @@ namespace {
 
 using Links = std::vector<std::size_t>;
 
+/// A fault of the whole: where the joints begin.
+void fault(const TableReader& place, std::string message) {
+  place.faults().add(place.where("joint"), std::move(message));
+}
+
 std::string link_list(const Drawing& drawing, const Links& links) {
   constexpr std::size_t kMostListed = 20;
   std::vector<std::string_view> words;
@@ -58,9 +63,9 @@ Links loose(const Drawing& drawing, const Links& among) {
 
 void check_mobility(const Drawing& drawing, const DrawnGroups& groups, TableReader& place) {
   const DrawnMobility mobility = mobility_of(drawing);
-  std::string message =
-      fmt::format("has mobility 3(n - 1) - 2j = {} with n = {} links and j = {} joints; expected 1",
-                  mobility.value(), mobility.links, mobility.joints);
+  std::string message = fmt::format(
+      "the drawing has mobility 3(n - 1) - 2j = {} with n = {} links and j = {} joints; expected 1",
+      mobility.value(), mobility.links, mobility.joints);
   const Links hanging = loose(drawing, groups.left);
   if (!hanging.empty()) {
     message += fmt::format("; one joint alone holds {}", link_list(drawing, hanging));
@@ -69,7 +74,7 @@ void check_mobility(const Drawing& drawing, const DrawnGroups& groups, TableRead
   } else {
     message += "; a joint or a link holds it";
   }
-  place.fault("joint", message);
+  fault(place, message);
 }
 
 /// Whether all links move as dyads where `link` drives.
@@ -96,19 +101,20 @@ void check_groups(const Drawing& drawing, const DrawnGroups& groups, TableReader
   if (groups.left.empty()) return;
   const Links hanging = loose(drawing, groups.left);
   if (!hanging.empty()) {
-    return place.fault("joint", fmt::format("has mobility 1 as a whole, but one joint alone holds "
-                                            "{}, and others hold what should move",
-                                            link_list(drawing, hanging)));
+    return fault(place,
+                 fmt::format("the drawing has mobility 1 as a whole, but one joint alone holds "
+                             "{}, and others hold what should move",
+                             link_list(drawing, hanging)));
   }
   std::string message = fmt::format(
-      "has links that form no dyads: {} (an Assur group of class III or higher, or a "
+      "the drawing has links that form no dyads: {} (an Assur group of class III or higher, or a "
       "part that is held beside one that is loose)",
       link_list(drawing, groups.left));
   const Links drives = drives_of_dyads(drawing);
   if (!drives.empty()) {
     message += fmt::format("; driven by {} they would", link_list(drawing, drives));
   }
-  place.fault("joint", message);
+  fault(place, message);
 }
 
 }  // namespace
@@ -118,7 +124,7 @@ void check_drawing(const Drawing& drawing, const DrawnGroups& groups, TableReade
   check_pairs(drawing, place.faults());
   if (place.faults().size() != before) return;
   if (drawing.links.size() == 2) {
-    return place.fault("joint", "moves the driven link alone; expected links that it moves");
+    return fault(place, "the drawing moves the driven link alone; expected links that it moves");
   }
   if (mobility_of(drawing).value() != 1) return check_mobility(drawing, groups, place);
   check_groups(drawing, groups, place);

@@ -17,15 +17,12 @@ export function lackOf(state) {
   return driverOf(state) ? "" : say("build.lacks_drive");
 }
 
-// What the kernel's sentences begin with that are of the file.
-const OF_FILE = /^mechanism\.joint /;
-
 // Where the drive stands.
 export const driveText = (drive, isTurning, decimals) => (isTurning ? degrees(drive, decimals) : number(drive, 4));
 
 // What is missing, what the kernel refuses, or how far the mechanism moves.
 export function stateText(state, { motion, faults, range }) {
-  if (faults) return faults.map((fault) => `${sentence(sentenceOf(fault.replace(OF_FILE, "the drawing "))).replace(/[.。]$/, "")}${say("build.full_stop")}`).join(" ");
+  if (faults) return faults.map((fault) => `${sentence(sentenceOf(fault)).replace(/[.。]$/, "")}${say("build.full_stop")}`).join(" ");
   if (!motion) return lackOf(state);
   const { from, to } = motion.mechanism, [low, high] = [from, to].map((x) => driveText(x, motion.isTurning, 1));
   return say(!motion.isTurning ? "build.slides" : range ? "build.swings" : "build.turns", { from: low, to: high });
