@@ -5,6 +5,7 @@ import { byId, element } from "../dom.js";
 import { tableWithoutRounding } from "../rounding.js";
 import { problemToml } from "../toml.js";
 import { say } from "../words.js";
+import { modeOf } from "./modes.js";
 import { problemOf, short } from "./question.js";
 
 const FILE_STARTS = 500;
@@ -31,7 +32,7 @@ export class Takings {
     byId("takings").append(element("div", { class: "sketch-buttons" }, ...this.buttons.map(({ button }) => button)), this.said, this.text);
   }
 
-  get title() { return say(this.present().state.angles ? "sketch.title_of_poses" : "sketch.title_of_file"); }
+  get title() { return say(modeOf(this.present().state).title); }
   get problem() { return problemToml({ title: this.title, ...problemOf(this.present().state, { starts: FILE_STARTS, designs: FILE_DESIGNS }) }); }
   get design() { return problemToml({ title: this.title, ...analysisOf(this.present().candidate) }); }
 

@@ -1,0 +1,48 @@
+// The diagram of a function on the left of the sheet: the input angle across, the output angle upwards, both in degrees.
+
+import { set, svg } from "../dom.js";
+import { number } from "../format.js";
+import { round } from "../shapes.js";
+import { say } from "../words.js";
+
+// Where it stands on the sheet, in its units, and where linkages stand that generate the function.
+export const DIAGRAM = { x0: -49, y0: -33, x1: -3, y1: 37 };
+export const STAGE = { x0: 9, y0: -30, x1: 57, y1: 36 };
+
+const BESIDE = 6;             // units beside the diagram within which a hand means its edge
+const FEWEST_PIXELS = 46;     // from tick to tick
+const TICK_STEPS = [1, 2, 5, 10, 15, 30, 45, 60, 90, 120, 180];
+
+const shareOf = (value, from, to) => (value - from) / (to - from);
+const within = (share) => Math.max(0, Math.min(1, share));
+
+// Where a pair [input, output] stands; `ranges`: of both, the second with its sign.
+export const placeOf = ([input, output], [across, upwards]) =>
+  [DIAGRAM.x0 + (input / across) * (DIAGRAM.x1 - DIAGRAM.x0), DIAGRAM.y0 + (output / upwards) * (DIAGRAM.y1 - DIAGRAM.y0)];
+
+// The shares of both ranges at a place, that of the nearest edge beside the diagram.
+export const sharesOf = ([x, y]) => [within(shareOf(x, DIAGRAM.x0, DIAGRAM.x1)), within(shareOf(y, DIAGRAM.y0, DIAGRAM.y1))];
+
+export const isNear = ([x, y]) => x > DIAGRAM.x0 - BESIDE && x < DIAGRAM.x1 + BESIDE && y > DIAGRAM.y0 - BESIDE && y < DIAGRAM.y1 + BESIDE;
+
+// Round values from 0 to `range`, at least FEWEST_PIXELS apart on `length` pixels.
+function ticksOf(range, length) {
+  const size = Math.abs(range);
+  const step = TICK_STEPS.find((one) => (one / size) * length >= FEWEST_PIXELS) ?? size;
+  return Array.from({ length: Math.floor(size / step + 1e-9) + 1 }, (_, i) => Math.sign(range) * i * step);
+}
+
+const text = (name, [x, y], anchor, value) => svg("text", { class: name, x: round(x), y: round(y), "text-anchor": anchor }, value);
+
+// The axes with their ticks, in the pixels of `view`.
+export function diagramAxes(view, ranges) {
+  const [[left, bottom], [right, top]] = [[DIAGRAM.x0, DIAGRAM.y0], [DIAGRAM.x1, DIAGRAM.y1]].map((corner) => view.screen(corner));
+  const at = (pair) => view.screen(placeOf(pair, ranges));
+  const across = ticksOf(ranges[0], right - left).map((v) => [at([v, 0])[0], v]), upwards = ticksOf(ranges[1], bottom - top).map((v) => [at([0, v])[1], v]);
+  const grid = svg("path", { class: "diagram-grid", d: [...across.map(([x]) => `M${round(x)} ${round(top)}V${round(bottom)}`), ...upwards.map(([y]) => `M${round(left)} ${round(y)}H${round(right)}`)].join("") });
+  const box = svg("rect", { class: "diagram-box", id: "diagram", x: round(left), y: round(top), width: round(right - left), height: round(bottom - top) });
+  const turned = text("diagram-axis", [0, 0], "middle", say("sketch.output_axis"));
+  set(turned, { transform: `translate(${round(left - 36)} ${round((top + bottom) / 2)}) rotate(-90)` });
+  return svg("g", { class: "diagram" }, box, grid, ...across.map(([x, v]) => text("diagram-tick", [x, bottom + 15], "middle", `${number(v)}°`)),
+    ...upwards.map(([y, v]) => text("diagram-tick", [left - 6, y + 4], "end", `${number(v)}°`)), text("diagram-axis", [(left + right) / 2, bottom + 31], "middle", say("sketch.input_axis")), turned);
+}
