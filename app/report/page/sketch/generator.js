@@ -31,6 +31,7 @@ export class Generator {
     this.linkage = { closure: new Closure(joints.length ? placed(entry.mechanism, [own.a, own.d, ...joints]) : entry.mechanism) };
     this.poses = phases.map((phase) => this.pose(phase)).filter(Boolean);
     this.curve = this.poses.map(({ p }) => p);
+    this.errors = points.map(([input, output]) => [input, this.#miss(input, output)]).filter(([, miss]) => Number.isFinite(miss));
     this.places = [];
     this.ratio = Math.max(...this.lengths) / Math.min(...this.lengths);
   }
@@ -39,16 +40,30 @@ export class Generator {
 
   #crank(phase) { return this.entry.input_start_deg + this.#input(phase); }
 
+  // The output angle at a pose, in degrees from its start: the one next to `near`.
+  #output({ c }, near) {
+    const { d } = this.linkage.closure;
+    return near + ((((Math.atan2(c[1] - d[1], c[0] - d[0]) / RADIANS - this.entry.output_start_deg - near) % 360) + 540) % 360) - 180;
+  }
+
+  #miss(input, output) {
+    const pose = this.linkage.closure.at((this.entry.input_start_deg + input) * RADIANS);
+    return pose ? this.#output(pose, output) - output : NaN;
+  }
+
   // Where it is at `phase`, 0 to 2π, and p, where its pair of angles stands in the diagram.
   pose(phase) {
     const { closure } = this.linkage, pose = closure.at(this.#crank(phase) * RADIANS);
-    if (!pose) return null;
-    const output = Math.atan2(pose.c[1] - closure.d[1], pose.c[0] - closure.d[0]) / RADIANS - this.entry.output_start_deg;
-    const middle = this.ranges[1] / 2;
-    return { ...pose, p: placeOf([this.#input(phase), middle + ((((output - middle) % 360) + 540) % 360) - 180], this.ranges) };
+    return pose && { ...pose, p: placeOf([this.#input(phase), this.#output(pose, this.ranges[1] / 2)], this.ranges) };
   }
 
   bodyAngle() { return null; }
+
+  // What crank and rocker turn through: {at, radius, from, to}, of places of the sheet and degrees.
+  get sectors() {
+    const { a, d, linkage: { crank, rocker } } = this.linkage.closure, output = (phase) => this.#output(this.linkage.closure.at(this.#crank(phase) * RADIANS), this.ranges[1] / 2) + this.entry.output_start_deg;
+    return [{ at: a, radius: crank, from: this.range[0], to: this.range[1] }, { at: d, radius: rocker, from: output(0), to: output(Math.PI) }];
+  }
 
   // The crank's angles over the motion, in degrees.
   get range() { return [this.from, this.to].map((input) => this.entry.input_start_deg + input); }

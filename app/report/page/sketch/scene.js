@@ -2,8 +2,8 @@
 
 import { set, svg } from "../dom.js";
 import { Picture } from "../picture.js";
-import { barPath, groundSign, pathThrough, round } from "../shapes.js";
-import { diagramAxes } from "./diagram.js";
+import { barPath, groundSign, pathThrough, round, sectorPath } from "../shapes.js";
+import { diagramAxes, DIAGRAM_MARGIN, errorStrip } from "./diagram.js";
 import { modeOf } from "./modes.js";
 import { along, axesPath } from "./posed.js";
 
@@ -20,8 +20,9 @@ export class SketchScene extends Picture {
   }
 
   build() {
-    this.clear(SHEET);
-    const { candidates, chosen, looked, view, targets: { ranges } } = this;
+    const { candidates, chosen, looked, targets: { ranges } } = this;
+    this.clear(SHEET, "", ranges ? DIAGRAM_MARGIN : undefined);
+    const { view } = this;
     this.ranges = ranges;
     const line = (points) => pathThrough(points.map((p) => view.screen(p)));
     this.boxes = { region: svg("rect", { class: "sketch-region", id: "pivot-region" }), obstacle: svg("rect", { class: "sketch-obstacle", id: "kept-clear" }) };
@@ -29,12 +30,20 @@ export class SketchScene extends Picture {
     this.spots = svg("g");
     this.ghosts = candidates.map((one, i) => (i === chosen ? null : this.#ghost(one, `sketch-${i}`, line)));
     this.lookedAt = looked && this.#ghost(looked, "looked-at", line);
-    this.root.append(...(this.picture ? [this.#underneath(this.picture)] : []), ...Object.values(this.boxes), ranges ? diagramAxes(view, ranges) : this.scaleBar(), this.drawn, ...this.ghosts.filter(Boolean).map(({ root }) => root));
+    this.root.append(...(this.picture ? [this.#underneath(this.picture)] : []), ...Object.values(this.boxes), ...this.#scales(ranges), this.drawn, ...this.ghosts.filter(Boolean).map(({ root }) => root));
     this.parts = candidates[chosen] ? this.#linkage(candidates[chosen], line) : null;
     if (this.parts) this.root.append(this.parts.root);
     this.root.append(...(looked ? [this.lookedAt.root] : []), this.spots);
     this.target(this.targets);
     this.move(this.phase);
+  }
+
+  // The scale of the sheet; of a function its diagram, with the errors of the generators.
+  #scales(ranges) {
+    if (!ranges) return [this.scaleBar()];
+    const { candidates, chosen, looked } = this, shown = [...candidates.filter((_, i) => i !== chosen), ...candidates.slice(chosen, chosen + 1), ...(looked ? [looked] : [])];
+    const names = shown.map((one) => (one === looked ? "looked-at" : `sketch-${candidates.indexOf(one)}`));
+    return [diagramAxes(this.view, ranges), ...(shown.length ? [errorStrip(this.view, ranges, shown.map(({ errors }) => errors), names)] : [])];
   }
 
   // A picture {address, width, share} that is drawn over, about the middle of the sheet.
@@ -49,12 +58,13 @@ export class SketchScene extends Picture {
     return { root, links };
   }
 
-  #linkage({ curve, linkage: { closure } }, line) {
+  #linkage({ curve, linkage: { closure }, sectors = [] }, line) {
     const bars = ["crank", "coupler", "rocker"].map((name) => svg("path", { class: `link-body ${name}`, style: "fill: var(--tint)" }));
     const pins = ["A", "B", "C", "D"].map((name) => svg("circle", { class: "pin", r: 4, "data-pin": name }));
     const point = svg("circle", { class: "coupler-point", r: 5, id: "tracing" });
     const body = svg("path", { class: "sketch-axes reached", id: "body" });
-    const root = svg("g", { id: "linkage" }, svg("path", { class: "path", id: "curve", d: line(curve) }), ...[closure.a, closure.d].map((p) => groundSign(this.view.screen(p))), ...bars, ...pins, body, point);
+    const turned = sectors.map(({ at, radius, from, to }) => svg("path", { class: "diagram-sector", d: sectorPath(this.view.screen(at), radius * this.view.scale, from, to) }));
+    const root = svg("g", { id: "linkage" }, ...turned, svg("path", { class: "path", id: "curve", d: line(curve) }), ...[closure.a, closure.d].map((p) => groundSign(this.view.screen(p))), ...bars, ...pins, body, point);
     return { root, bars, pins, point, body };
   }
 
