@@ -228,7 +228,7 @@ ExitStatus run_command(const CommandLine& line, StudyProcesses& processes) {
   if (name == "analyze") return run_analyze(called, arguments, *options);
   if (name == "sweep") return run_sweep(called, arguments, *options, processes);
   if (name == "export") return run_export(called, arguments, *options);
-  if (name == "sketch") return sketch_command(*options);
+  if (name == "sketch") return sketch_command(arguments.mechanism, arguments.file, *options);
   if (name == "involute") {
     return involute_command(arguments.values, {arguments.inverse, arguments.csv}, *options);
   }

@@ -208,8 +208,12 @@ CommandLine::CommandLine() : app(kDescription, "cognate") {
   add_folder(exporting, arguments);
   add_length_unit(exporting, arguments);
   add_export_options(exporting, arguments);
-  add_command("sketch", "Write a page that finds linkages for curves.", kSketchFooter)
-      .add_option("--out", arguments.out, "the page (default: sketch.html)")
+  auto& sketch =
+      add_command("sketch", "Write a page to draw on: curves, or a mechanism.", kSketchFooter);
+  sketch.add_option("FILE", arguments.file, "a mechanism to begin with, TOML file");
+  endings["sketch"] = {".toml"};
+  sketch.add_flag("--mechanism", arguments.mechanism, "the page on which a mechanism is built");
+  sketch.add_option("--out", arguments.out, "the page (default: sketch.html, mechanism.html)")
       ->type_name("FILE");
   add_studio();
   auto& involute =

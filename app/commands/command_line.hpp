@@ -30,6 +30,7 @@ struct Arguments {
   bool quiet = false;
   bool metrics = false;
   bool inverse = false, csv = false;  ///< of `involute`
+  bool mechanism = false;             ///< of `sketch`
   bool certificate = false;           ///< of `check`
   bool watch = false;                 ///< of the commands that compute
   bool no_open = false;               ///< of `studio`

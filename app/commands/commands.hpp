@@ -88,10 +88,13 @@ ExitStatus check_certificate_command(const std::filesystem::path& file, int samp
 /// file of that name is left as it is, and the status is that of bad input.
 ExitStatus new_command(const std::string& kind, const Options& options);
 
-/// Writes the page on which a curve is drawn and linkages are found that trace it, to the file
-/// `--out`, else to sketch.html, and says so (with `--json` as a document `cognate-sketch/1`, with
+/// Writes the page on which a curve is drawn and linkages are found that trace it, or where
+/// `mechanism` holds the page on which a mechanism is built, to the file `--out`, else to
+/// sketch.html or mechanism.html, and says so (with `--json` as a document `cognate-sketch/1`, with
 /// `--quiet` not at all). A file of that name is left as it is, as by `new_command`.
-ExitStatus sketch_command(const Options& options);
+/// `file`: of an analysis, whose mechanism is on the page then, which is that of mechanisms; or
+/// empty.
+ExitStatus sketch_command(bool mechanism, const std::string& file, const Options& options);
 
 struct InvoluteOptions {
   bool inverse = false;  ///< the arguments are involutes, not angles

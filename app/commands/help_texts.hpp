@@ -181,10 +181,15 @@ inline constexpr const char* kSketchFooter =
   One page that needs no network: draw a curve with mouse, pen or finger, and
   the page finds four-bar linkages that trace it and shows them in motion.
   Limits, points and designs can be changed; problems and designs are saved as
-  files for cognate. An existing file is not overwritten.
+  files for cognate. With --mechanism a page on which a mechanism is built by
+  hand, of links, pivots, sliders and forces: it moves and is analysed at once.
+  With a FILE of an analysis its mechanism is on that page, to be changed.
+  An existing file is not overwritten.
 
 Examples:
   cognate sketch
+  cognate sketch --mechanism
+  cognate sketch press.toml
   cognate sketch --out pages/curve.html)";
 
 inline constexpr const char* kInvoluteFooter =

@@ -1,19 +1,52 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/computation.hpp"
 #include "app/console/messages.hpp"
+#include "app/documents/json_values.hpp"
 #include "app/documents/output_files.hpp"
 #include "app/documents/result_json.hpp"
 #include "app/report/filled_page.hpp"
 #include "app/report/page.hpp"
+#include "problems/evaluation/as_drawn.hpp"
+#include "problems/read.hpp"
 
 namespace cognate::app {
 namespace {
 
 namespace fs = std::filesystem;
 
+/// A page of its name, with the unit of its lengths.
+struct Page {
+  const char* name;
+  std::string (*text)();
+  const char* length_unit;
+};
+
+constexpr Page kCurvePage{"sketch.html", sketch_page, ""};
+constexpr Page kMechanismPage{"mechanism.html", build_page, "mm"};
+
+/// What the page begins with: nothing, or the mechanism of a file by its joints as drawn.
+tl::expected<nlohmann::ordered_json, ExitStatus> beginning(const std::string& file,
+                                                           const Options& options) {
+  auto data = nlohmann::ordered_json::object();
+  if (file.empty()) return data;
+  const auto problem = problems::read_task<problems::AnalysisProblem>(file);
+  if (!problem) return tl::unexpected(refuse(file, problem.error(), options));
+  const auto drawn = problems::written_as_drawn(*problem);
+  if (!drawn) {
+    complain(printable(file) + ": " + drawn.error());
+    return tl::unexpected(exit_bad_input);
+  }
+  data["problem"] = to_json(*drawn);
+  // Numbers without a unit are those of the sheet.
+  const auto& unit = problem->length_unit;
+  data["millimetres"] = unit ? 1000 * problems::metres(unit) : 1;
+  return data;
+}
+
 /// Writes the page to `file`; nothing is replaced.
-FileResult write_sketch(const fs::path& file) {
+FileResult write_page(const Page& page, const nlohmann::ordered_json& data, const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
   const auto ready = prepare_folder(folder, {file.filename().string()});
   if (!ready) return ready;
@@ -22,18 +55,21 @@ FileResult write_sketch(const fs::path& file) {
     return tl::unexpected(printable(file.string()) +
                           ": is there already; move it, or choose another name with --out");
   }
-  return write_file(file, filled_page(sketch_page(), nlohmann::ordered_json::object(), ""));
+  return write_file(file, filled_page(page.text(), data, page.length_unit));
 }
 
 }  // namespace
 
-ExitStatus sketch_command(const Options& options) {
-  const fs::path file = options.out.value_or("sketch.html").lexically_normal();
+ExitStatus sketch_command(bool mechanism, const std::string& given, const Options& options) {
+  const Page& page = mechanism || !given.empty() ? kMechanismPage : kCurvePage;
+  const fs::path file = options.out.value_or(page.name).lexically_normal();
   if (!file.has_filename()) {
     complain(printable(file.string()) + ": is a folder; --out expects the name of a file");
     return exit_bad_input;
   }
-  if (const auto written = write_sketch(file); !written) {
+  const auto data = beginning(given, options);
+  if (!data) return data.error();
+  if (const auto written = write_page(page, *data, file); !written) {
     complain(written.error());
     return exit_bad_input;
   }

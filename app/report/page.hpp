@@ -29,6 +29,9 @@ std::string study_page();
 /// The page on which a curve is drawn, likewise; its data are empty.
 std::string sketch_page();
 
+/// The page on which a mechanism is built, likewise.
+std::string build_page();
+
 /// The page of `cognate studio`, likewise.
 std::string studio_page();
 

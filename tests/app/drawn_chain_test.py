@@ -15,7 +15,7 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from linked_bodies import Bodies  # noqa: E402
+from linked_bodies import Bodies, solve  # noqa: E402
 from written_files import PROGRAM, command  # noqa: E402
 
 try:
@@ -157,6 +157,33 @@ class DrawnChains(unittest.TestCase):
         compared = [self.follow(seed) for seed in range(40)]
         self.assertGreater(sum(compared), 40 * 10, compared)
 
+    def test_any_joints_are_a_mechanism_where_their_constraints_are_independent(self):
+        soups = [soup(seed) for seed in range(250)]
+        said = [self.judged(joints) for joints in soups]
+        self.assertGreater(said.count("taken"), 10)
+        for reason in REASONS[:-1]:
+            self.assertGreater(said.count(reason), 0, reason)
+
+    def judged(self, joints):
+        """What the program says of joints, where it may: it takes them if and only if all bodies but the driven
+        one are held by independent constraints, unless they form no dyads or a truss."""
+        done = command(drawn(joints, "drive"), "check")
+        if done.returncode == 0:
+            self.assertTrue(is_determined(joints), joints)
+            return "taken"
+        self.assertEqual(done.returncode, 2, (done.stderr, joints))
+        reasons = [reason for reason in REASONS if reason in done.stderr]
+        self.assertTrue(reasons, done.stderr)
+        if reasons[0] == "no joint with the frame":
+            return reasons[0]
+        if reasons[0] == "both joined":  # a truss on a link: it moves with that
+            return reasons[0]
+        if reasons[0] != "no dyads":
+            self.assertFalse(is_determined(joints), (done.stderr, joints))
+        elif "they would" in done.stderr:
+            self.assertTrue(is_determined(joints), (done.stderr, joints))
+        return reasons[0]
+
     def test_a_drawing_is_the_chain_of_its_dimensions(self):
         by_joints = drawn(FOUR_BAR, "crank", LOADED + "[drive]\nstart_deg = 0\n")
         by_lengths = """kind = "analysis"
@@ -183,9 +210,18 @@ point = [{name = "P", on = ["B", "C"], at = [%r, %r]}]
     def test_a_mechanism_of_slides_has_no_pivot(self):
         joints = [slid("S", 90, "frame", "wedge"), pinned("P", (0, 1), "wedge"), slid("T", 30, "wedge", "block"), slid("U", 0, "block2", "frame"), pinned("Q", (2, 1), "block", "block2")]
         rows = table(drawn(joints, "wedge", "[drive]\nend = 1\nsteps = 4\n"))
+        self.assertEqual(len(rows), 5)
         for row in rows:  # up by s, the incline stays: along it by -s / tan 30
             self.assertAlmostEqual(float(row["Q_x"]), 2 - float(row["slide"]) * math.sqrt(3), delta=1e-12)
             self.assertAlmostEqual(float(row["Q_y"]), 1, delta=1e-12)
+
+    def test_a_lever_without_a_pin_drives_by_its_slot(self):
+        joints = [pinned("A", (0, 0), "frame", "lever"), slid("slot", 30, "lever", "block"), pinned("C", (3, math.sqrt(3)), "block", "bar"),
+                  slid("guide", 90, "bar", "frame")]
+        rows = table(drawn(joints, "lever", "[drive]\nend_deg = 60\nsteps = 6\n"))
+        self.assertEqual(float(rows[0]["crank_deg"]), 30)
+        for row in rows:
+            self.assertAlmostEqual(float(row["C_y"]), 3 * math.tan(math.radians(float(row["crank_deg"]))), delta=1e-12)
 
     def test_what_is_no_mechanism_is_refused_with_its_reason(self):
         bar, pin, slide = FOUR_BAR, pinned, slid
@@ -195,12 +231,12 @@ point = [{name = "P", on = ["B", "C"], at = [%r, %r]}]
                  [*bar[:3], pin("E", (1, 5), "rocker", "lever"), pin("D", D, "lever", "frame")]),
                 ("one joint alone holds \"tail\"", [*bar, pin("T", (9, 9), "rocker", "tail")]),
                 ("a joint or a link holds it", [*bar, pin("G", (0, 4), "coupler", "third"), pin("H", (1, 7), "third", "frame")]),
+                ("moves the driven link alone", bar[:1]),
                 ("both join \"coupler\" and \"rocker\"", [*bar, pin("C2", (2, 2), "coupler", "rocker")]),
                 ("are drawn at a dead point", [bar[0], {**bar[1], "at": (1, 0)}, {**bar[2], "at": (2.5, 0)}, bar[3]]),
                 ("are at the same place", [*bar[:2], {**bar[2], "at": B}, bar[3]]),
                 ("which are both joined to \"coupler\"", [*bar, *on_coupler]),
-                ("are slides, all three", [*bar, slide("Q", 10, "coupler", "x"), slide("R", 30, "x", "y"), slide("S", 80, "y", "frame")]),
-                ("alone is on \"crank\"", [bar[0], slide("B", 20, "crank", "coupler"), *bar[2:4]])):
+                ("are slides, all three", [*bar, slide("Q", 10, "coupler", "x"), slide("R", 30, "x", "y"), slide("S", 80, "y", "frame")])):
             with self.subTest(reason):
                 self.assertIn(reason, self.faults(drawn(joints, "crank")))
 
@@ -230,6 +266,41 @@ point = [{name = "P", on = ["B", "C"], at = [%r, %r]}]
         self.assertIn("form no dyads: \"p\", \"plate\", \"q\", \"r\"", said)
         self.assertIn("driven by \"p\", \"q\" they would", said)
         self.assertEqual(command(drawn(stephenson, "p"), "analyze").returncode, 0)
+
+
+REASONS = ("both joined", "both join ", "no joint with the frame", "mobility 3", "has mobility 1", "dead point", "no dyads", "same place", "slides, all three")
+
+
+def soup(seed):
+    """Joints of a few links at places of a coarse grid, mostly as many as mobility one takes."""
+    chance = random.Random(seed)
+    count = chance.choice((3, 3, 5, 5, 4))  # moving links
+    links = ["drive", *(f"k{i}" for i in range(1, count))]
+    joints = [pinned("J0", (0, 0), "frame", "drive")] if chance.random() < 0.95 else []
+    wanted = (3 * count - 1) // 2 + chance.choice((0, 0, 0, 0, 1, -1))
+    while len(joints) < wanted:
+        fewest = min(links[1:], key=lambda link: (sum(link in joint["of"] for joint in joints), chance.random()))
+        of = chance.choice(([fewest, chance.choice(["frame", *(link for link in links if link != fewest)])], chance.sample(["frame", *links], 2)))
+        if any({*of} <= {*joint["of"]} for joint in joints) and chance.random() < 0.9:
+            continue
+        if of[0] in links[1:] or of[1] in links[1:]:
+            name = f"J{len(joints)}"
+            if chance.random() < 0.2:
+                joints.append(slid(name, chance.choice((0, 30, 45, 90, 135)), *of))
+            else:
+                joints.append(pinned(name, (chance.randint(0, 4), chance.randint(0, 4)), *of))
+    return joints + [pinned("P", (7, 5), "drive")]
+
+
+def is_determined(joints):
+    """Whether the rates of all bodies follow from that of the driven one."""
+    if not any({"frame", "drive"} <= {*joint["of"]} for joint in joints):
+        return False
+    bodies = Bodies(joints, "drive")
+    columns = bodies._slopes(bodies.poses)
+    if len(columns) != len(columns[0] if columns else []):
+        return False
+    return solve([list(row) for row in zip(*columns)], [0.0] * len(columns))[1] > 1e-6
 
 
 def pinned(name, at, *of):

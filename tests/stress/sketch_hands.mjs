@@ -2,25 +2,11 @@
 //   BROWSER_PACKAGES=$PWD/build/release/tests/browser/npm node tests/stress/sketch_hands.mjs build/release/app/cognate [ACTIONS] [SEED]
 // Strokes, clicks, poses, drags, turns, keys, limits, points of the front, undoing: none waits for the one before. Every hundred the page must
 // come to rest with designs or a sentence; messages of the console, and a page that does not answer, end the run with 1.
-import { execFileSync } from "node:child_process";
-import fs from "node:fs";
-import os from "node:os";
-import path from "node:path";
-import { drawnPoses, drawnStroke, randomNumbers } from "../bench/report/drawings.mjs";
-import { launch, open } from "../browser/browser.mjs";
+import { drawnPoses, drawnStroke } from "../bench/report/drawings.mjs";
+import { act, hands, PATIENCE, through } from "./hands.mjs";
 
 const [program, actions = "1000", seed = "1"] = process.argv.slice(2);
-const REST = 100, PATIENCE = 120000;
-const random = randomNumbers(2654435769 ^ (Number(seed) * 40503));
-for (let i = 0; i < 20; ++i) random();
-const pick = (list) => list[Math.floor(random() * list.length)];
-
-async function through(page, places) {
-  await page.mouse.move(...places[0]);
-  await page.mouse.down();
-  for (const place of places.slice(1)) await page.mouse.move(...place);
-  await page.mouse.up();
-}
+const { random, pick } = hands(seed);
 
 const KEYS = ["1", "2", "3", "c", "x", "p", "r", "o", "z", "y", " ", "Enter", "Delete", "Tab", "ArrowLeft", "Shift+ArrowUp", "Control+z", "Control+Shift+z", "Escape"];
 
@@ -63,27 +49,13 @@ async function dragged(page, selector) {
 const rests = (page) => page.waitForFunction(() => !/…$/.test(document.getElementById("state").textContent)
   && (document.getElementById("front").hidden || !/^(Follows|Searching)/.test(document.getElementById("front-note").textContent)), null, { timeout: PATIENCE });
 
-const folder = fs.mkdtempSync(path.join(os.tmpdir(), "cognate-sketch-"));
-const file = path.join(folder, "sketch.html");
-execFileSync(program, ["sketch", "--out", file]);
-const browser = await launch();
-const { page, faults } = await open(browser, file);
-const done = {};
 let rested = 0, designs = 0;
-for (let i = 1; i <= Number(actions) && !faults.length; ++i) {
-  const box = await page.locator("#sheet").boundingBox({ timeout: PATIENCE });
-  const name = pick(Object.keys(DOES));
-  done[name] = (done[name] ?? 0) + 1;
-  await DOES[name](page, ([x, y]) => [box.x + x * box.width, box.y + y * box.height]);
-  if (i % REST) continue;
+const { said, faults } = await act({ program, actions, pick, does: DOES, rests: async (page) => {
   await rests(page);
   rested += 1;
-  console.error(`${i} of ${actions}`);
   await DOES.front(page);
   designs += await page.locator(".design-card").count();
-}
-console.log(`${Object.entries(done).map(([name, count]) => `${count} ${name}`).join(", ")}; at rest ${rested} times, with ${designs} designs`);
+} });
+console.log(`${said}; at rest ${rested} times, with ${designs} designs`);
 if (faults.length) console.log(faults.join("\n"));
-await browser.close();
-fs.rmSync(folder, { recursive: true });
 process.exitCode = faults.length ? 1 : 0;

@@ -12,6 +12,17 @@ export function shortcut(keys, shown, words, act = null) { SHORTCUTS.push({ keys
 // Fields in which a key is text, or chooses by itself.
 export const TAKES_KEYS = "input:not([type=range]):not([type=radio]):not([type=checkbox]), select, textarea, [contenteditable]";
 
+// Ctrl+Z and Ctrl+Shift+Z or Ctrl+Y: `step` takes "undo" or "redo".
+export function listenToUndo(step) {
+  document.addEventListener("keydown", (event) => {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || event.target.closest?.("textarea, input[type=text], input[type=number]")) return;
+    const sense = { z: event.shiftKey ? "redo" : "undo", y: "redo" }[event.key.toLowerCase()];
+    if (!sense) return;
+    event.preventDefault();
+    step(sense);
+  });
+}
+
 export class Help {
   constructor() {
     this.off = remembered("keys") === "off";

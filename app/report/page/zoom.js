@@ -10,21 +10,25 @@ const ZOOMS = [0.2, 1e5];
 const ZOOM_ICONS = { nearer: "M5 12H19M12 5V19", farther: "M5 12H19", all: "M4 9V4H9M15 4H20V9M20 15V20H15M9 20H4V15", large: "M14 4H20V10M10 20H4V14M20 4L13 11M4 20L11 13" };
 
 export class Zoom {
-  // `scene()` is the picture in the frame now, `redraw` builds it anew.
-  constructor(stage, frame, scene, redraw) {
+  // `scene()` is the picture in the frame now, `redraw` builds it anew; `letters`: whether those of the keyboard move the view.
+  constructor(stage, frame, scene, redraw, letters = true) {
     Object.assign(this, { stage, frame, scene, redraw, fingers: new Map() });
     this.#offer();
     frame.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
     frame.addEventListener("pointerdown", (event) => this.#press(event));
     frame.addEventListener("pointermove", (event) => this.#drag(event));
     for (const end of ["pointerup", "pointercancel"]) frame.addEventListener(end, (event) => this.fingers.delete(event.pointerId));
-    const pan = (x, y) => () => this.pan(0.12 * x * frame.clientWidth, 0.12 * y * frame.clientHeight);
     shortcut(["+", "="], "+", "zoom.nearer", () => this.by(NEARER));
     shortcut(["-", "−"], "−", "zoom.farther", () => this.by(1 / NEARER));
     shortcut(["0"], "0", "zoom.all", () => this.all());
+    if (letters) this.#listenToLetters();
+    shortcut(["Escape"], "Esc", "zoom.small", () => (this.isLarge ? this.large(false) : false));
+  }
+
+  #listenToLetters() {
+    const pan = (x, y) => () => this.pan(0.12 * x * this.frame.clientWidth, 0.12 * y * this.frame.clientHeight);
     for (const [key, x, y, words] of [["w", 0, 1, "zoom.up"], ["a", 1, 0, "zoom.left"], ["s", 0, -1, "zoom.down"], ["d", -1, 0, "zoom.right"]]) shortcut([key], key, words, pan(x, y));
     shortcut(["f"], "f", "zoom.large", () => this.large());
-    shortcut(["Escape"], "Esc", "zoom.small", () => (this.isLarge ? this.large(false) : false));
   }
 
   #offer() {

@@ -72,20 +72,34 @@ void check_mobility(const Drawing& drawing, const DrawnGroups& groups, TableRead
   place.fault("joint", message);
 }
 
-/// The links whose drive would leave dyads alone.
+/// Whether all links move as dyads where `link` drives.
+bool leaves_dyads(const Drawing& drawing, std::size_t link) {
+  const DrawnGroups groups = groups_of(drawing, link);
+  return groups.left.empty() && std::ranges::none_of(groups.dyads, [&](const DrawnDyad& dyad) {
+           return shared_link(drawing, dyad).has_value();
+         });
+}
+
+/// The links with a joint on the frame whose drive would leave dyads alone.
 Links drives_of_dyads(const Drawing& drawing) {
   Links found;
   for (std::size_t link = 1; link < drawing.links.size(); ++link) {
     const bool on_frame = std::ranges::any_of(drawing.joints, [&](const DrawnJoint& joint) {
       return joins(joint, 0) && joins(joint, link);
     });
-    if (on_frame && groups_of(drawing, link).left.empty()) found.push_back(link);
+    if (on_frame && leaves_dyads(drawing, link)) found.push_back(link);
   }
   return found;
 }
 
 void check_groups(const Drawing& drawing, const DrawnGroups& groups, TableReader& place) {
   if (groups.left.empty()) return;
+  const Links hanging = loose(drawing, groups.left);
+  if (!hanging.empty()) {
+    return place.fault("joint", fmt::format("has mobility 1 as a whole, but one joint alone holds "
+                                            "{}, and others hold what should move",
+                                            link_list(drawing, hanging)));
+  }
   std::string message = fmt::format(
       "has links that form no dyads: {} (an Assur group of class III or higher, or a "
       "part that is held beside one that is loose)",
@@ -103,6 +117,9 @@ void check_drawing(const Drawing& drawing, const DrawnGroups& groups, TableReade
   const std::size_t before = place.faults().size();
   check_pairs(drawing, place.faults());
   if (place.faults().size() != before) return;
+  if (drawing.links.size() == 2) {
+    return place.fault("joint", "moves the driven link alone; expected links that it moves");
+  }
   if (mobility_of(drawing).value() != 1) return check_mobility(drawing, groups, place);
   check_groups(drawing, groups, place);
 }

@@ -26,12 +26,23 @@ struct DrawnAxes {
   Vec2d direction{1, 0};
 };
 
+double size_of(const Drawing& drawing) {
+  double size = 0;
+  for (const DrawnJoint& joint : drawing.joints) size = std::max(size, norm1(joint.at));
+  return size;
+}
+
+/// Whether a joint of the driving link can be its pin: any of a slider, of a crank one that is not
+/// at its pivot.
+bool is_away(const DrawnJoint& joint, const DrawnJoint& on_frame, double size) {
+  if (&joint == &on_frame || joint.direction) return false;
+  return on_frame.direction || norm(joint.at - on_frame.at) > kRounding * size;
+}
+
 class Describer {
  public:
   Describer(const Drawing& drawing, FaultList& faults)
-      : drawing_(drawing), faults_(faults), axes_(drawing.links.size()) {
-    for (const DrawnJoint& joint : drawing.joints) size_ = std::max(size_, norm1(joint.at));
-  }
+      : drawing_(drawing), faults_(faults), axes_(drawing.links.size()), size_(size_of(drawing)) {}
 
   void describe_frame() {
     for (const std::size_t i : pins_of(0)) {
@@ -45,22 +56,21 @@ class Describer {
     for (const std::size_t i : joints_of(drawing_, link)) {
       if (joins(joint(i), 0)) on_frame = i;
     }
-    const auto pin = driving_pin(link, on_frame);
-    if (!pin) return;
+    const std::size_t pin = driving_pin(link, on_frame);
     if (joint(on_frame).direction) {
-      axes_[link] = {joint(*pin).at, *joint(on_frame).direction};
+      axes_[link] = {joint(pin).at, *joint(on_frame).direction};
       described_.chain.drive =
-          SliderDescription{slide_of(on_frame, 0, joint(*pin).at), joint(*pin).name, name(link)};
+          SliderDescription{slide_of(on_frame, 0, joint(pin).at), joint(pin).name, name(link)};
     } else {
-      const auto length = length_of(link, on_frame, *pin);
-      const Vec2d along = joint(*pin).at - joint(on_frame).at;
+      const auto length = length_of(link, on_frame, pin);
+      const Vec2d along = joint(pin).at - joint(on_frame).at;
       if (length == 0) return;
       axes_[link] = {joint(on_frame).at, (1 / length) * along};
       described_.drive = angle_of(along);
       described_.chain.drive =
-          CrankDescription{joint(on_frame).name, joint(*pin).name, length, name(link)};
+          CrankDescription{joint(on_frame).name, joint(pin).name, length, name(link)};
     }
-    add_points(link, {on_frame, *pin});
+    add_points(link, {on_frame, pin});
   }
 
   void describe(const DrawnDyad& found) {
@@ -95,21 +105,13 @@ class Describer {
     return pins;
   }
 
-  /// A joint of the driving link that the drive's own does not coincide with, a pin rather than a
-  /// point.
-  std::optional<std::size_t> driving_pin(std::size_t link, std::size_t on_frame) {
-    std::optional<std::size_t> found;
-    for (const std::size_t i : pins_of(link)) {
-      if (i == on_frame) continue;
-      if (!found || (joint(*found).of.size() == 1 && joint(i).of.size() > 1)) found = i;
-    }
-    if (!found) {
-      faults_.add(joint(on_frame).where,
-                  fmt::format("joint {} alone is on {}, which drives; expected a pin or a point on "
-                              "it, too",
-                              in_quotes(joint(on_frame).name), in_quotes(name(link))));
-    }
-    return found;
+  /// A joint of the driving link away from the drive's own, a pin rather than a point: it has one.
+  std::size_t driving_pin(std::size_t link, std::size_t on_frame) const {
+    auto pins = pins_of(link);
+    std::erase_if(pins, [&](std::size_t i) { return !is_away(joint(i), joint(on_frame), size_); });
+    const auto pin =
+        std::ranges::find_if(pins, [&](std::size_t i) { return joint(i).of.size() > 1; });
+    return pin != pins.end() ? *pin : pins.front();
   }
 
   /// From one joint of a link to another; 0, with a fault, where they coincide.
@@ -133,18 +135,14 @@ class Describer {
 
   /// Whether both outer joints are on one link, so that nothing moves on it; then a fault.
   bool is_rigid(const DrawnDyad& dyad) {
-    const auto moved = [&](std::size_t link) { return link != dyad.first && link != dyad.second; };
-    for (const std::size_t link : joint(dyad.first_outer).of) {
-      if (!moved(link) || !joins(joint(dyad.second_outer), link)) continue;
-      faults_.add(
-          joint(dyad.inner).where,
-          fmt::format("joint {} of {} and {}, which are both joined to {}, cannot move on it "
-                      "(mobility 0); expected one link in the place of the three",
-                      in_quotes(joint(dyad.inner).name), in_quotes(name(dyad.first)),
-                      in_quotes(name(dyad.second)), in_quotes(name(link))));
-      return true;
-    }
-    return false;
+    const auto link = shared_link(drawing_, dyad);
+    if (!link) return false;
+    faults_.add(joint(dyad.inner).where,
+                fmt::format("joint {} of {} and {}, which are both joined to {}, cannot move on it "
+                            "(mobility 0); expected one link in the place of the three",
+                            in_quotes(joint(dyad.inner).name), in_quotes(name(dyad.first)),
+                            in_quotes(name(dyad.second)), in_quotes(name(*link))));
+    return true;
   }
 
   /// Whether `sine` is that of a dead point; then a fault.
@@ -291,14 +289,36 @@ class Describer {
   FaultList& faults_;
   std::vector<DrawnAxes> axes_;
   DescribedDrawing described_;
-  double size_ = 0;
+  double size_;
 };
+
+/// A driving link with no pin but that of the frame, such as a lever on which a block slides, has
+/// a point of its own beside it.
+Drawing with_driving_pin(Drawing drawing) {
+  const std::size_t link = drawing.driven;
+  const auto of_link = joints_of(drawing, link);
+  const auto joint = [&](std::size_t i) -> const DrawnJoint& { return drawing.joints[i]; };
+  const auto on_frame =
+      std::ranges::find_if(of_link, [&](std::size_t i) { return joins(joint(i), 0); });
+  const double size = size_of(drawing);
+  Vec2d along{1, 0};
+  for (const std::size_t i : of_link) {
+    if (is_away(joint(i), joint(*on_frame), size)) return drawing;
+    if (joint(i).direction) along = *joint(i).direction;
+  }
+  DrawnJoint end{
+      .name = drawing.links[link] + "-end", .of = {link}, .where = joint(*on_frame).where};
+  end.at = joint(*on_frame).at + (size > 0 ? size : 1) * along;
+  drawing.joints.push_back(std::move(end));
+  return drawing;
+}
 
 }  // namespace
 
-std::optional<DescribedDrawing> describe(const Drawing& drawing, const DrawnGroups& groups,
+std::optional<DescribedDrawing> describe(const Drawing& given, const DrawnGroups& groups,
                                          FaultList& faults) {
   const std::size_t before = faults.size();
+  const Drawing drawing = with_driving_pin(given);
   Describer describer(drawing, faults);
   describer.describe_frame();
   describer.describe_drive();

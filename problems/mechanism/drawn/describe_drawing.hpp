@@ -18,9 +18,10 @@ struct DescribedDrawing {
   double drive = 0;  ///< what the drive is at in the drawing: an angle, or a slider's displacement
 };
 
-/// `groups`: all dyads of the drawing. Empty, with a fault, where two joints of a link coincide or
-/// a dyad is drawn at a dead point, where both its assemblies meet.
-std::optional<DescribedDrawing> describe(const Drawing& drawing, const DrawnGroups& groups,
+/// `groups`: all dyads of the drawing. A driving link that has no pin beside that of the frame gets
+/// a point called after it, "lever-end". Empty, with a fault, where two joints of a link coincide
+/// or a dyad is drawn at a dead point, where both its assemblies meet.
+std::optional<DescribedDrawing> describe(const Drawing& given, const DrawnGroups& groups,
                                          FaultList& faults);
 
 }  // namespace cognate::problems::reading

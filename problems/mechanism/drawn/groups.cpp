@@ -1,7 +1,6 @@
 #include "problems/mechanism/drawn/groups.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 namespace cognate::problems::reading {
@@ -69,6 +68,14 @@ class Decomposition {
 };
 
 }  // namespace
+
+std::optional<std::size_t> shared_link(const Drawing& drawing, const DrawnDyad& dyad) {
+  for (const std::size_t link : drawing.joints[dyad.first_outer].of) {
+    const bool is_own = link == dyad.first || link == dyad.second;
+    if (!is_own && joins(drawing.joints[dyad.second_outer], link)) return link;
+  }
+  return std::nullopt;
+}
 
 DrawnGroups groups_of(const Drawing& drawing, std::size_t driven) {
   return Decomposition(drawing, driven).run();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "problems/mechanism/drawn/drawing.hpp"
@@ -22,6 +23,10 @@ struct DrawnGroups {
   std::vector<DrawnDyad> dyads;
   std::vector<std::size_t> left;
 };
+
+/// The link that both outer joints of a dyad are on, so that it cannot move there; empty where they
+/// are on two.
+std::optional<std::size_t> shared_link(const Drawing& drawing, const DrawnDyad& dyad);
 
 /// Those of a drawing in which `driven` is the link that drives.
 DrawnGroups groups_of(const Drawing& drawing, std::size_t driven);

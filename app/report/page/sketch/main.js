@@ -6,7 +6,7 @@ import { byId, element } from "../dom.js";
 import { History } from "../edit/history.js";
 import { degrees, duration, fixed, number, sentence } from "../format.js";
 import { Kernel } from "../kernel.js";
-import { shortcut } from "../keys.js";
+import { listenToUndo, shortcut } from "../keys.js";
 import { RADIANS } from "../sampling.js";
 import { filmed, Saves } from "../saves.js";
 import { say, sentenceOf, term } from "../words.js";
@@ -289,13 +289,7 @@ function listenToKeys() {
   shortcut(["1", "2", "3"], "1 2 3", "sketch.choose", (event) => choose(Number(event.key) - 1));
   shortcut(["Enter"], "Enter", "sketch.put");
   shortcut(["Delete"], "Delete", "sketch.remove");
-  document.addEventListener("keydown", (event) => {
-    if (!(event.ctrlKey || event.metaKey) || event.altKey || event.target.closest?.("textarea")) return;
-    const sense = { z: event.shiftKey ? "redo" : "undo", y: "redo" }[event.key.toLowerCase()];
-    if (!sense) return;
-    event.preventDefault();
-    step(sense);
-  });
+  listenToUndo(step);
 }
 
 // Another sketch in the address, pasted or gone back to.

@@ -1,34 +1,31 @@
 // Where a hand draws: strokes, clicks, points that are dragged; and the same by keys.
 
 import { set, svg } from "../dom.js";
-import { pathThrough, round } from "../shapes.js";
+import { pathThrough } from "../shapes.js";
 import { say } from "../words.js";
+import { ARROWS_TO, Cross, stepped } from "./cross.js";
 import { arrange, grip } from "./grips.js";
 import { Turners } from "./turners.js";
 
 const CLICK = 6;      // pixels within which a stroke is a click
-const STEP_PIXELS = 8;
-const ARROWS_TO = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 export class Surface {
   // `on`, of places in the plane: begin() of a stroke, resume() where it came to nothing, stroke(points), box(corner, corner)
   // in place of that while `boxes` is set, click(point), drag(i, point), turn(i, degrees), drop() after a drag or a turn,
   // remove(i); `view()` is that of the picture.
   constructor(frame, view, on) {
-    Object.assign(this, { view, on, at: null, corner: null, boxes: null, handles: [] });
+    Object.assign(this, { view, on, corner: null, boxes: null, handles: [] });
     this.area = svg("rect", { class: "draw-handle", width: "100%", height: "100%", tabindex: 0, role: "button", id: "sheet", "aria-label": say("sketch.sheet") });
     this.ink = svg("path", { class: "sketch-ink" });
-    this.cross = svg("path", { class: "sketch-cross", d: "M-9 0H9M0 -9V9", hidden: "" });
+    this.cross = new Cross(this.area, view, (place) => this.#put(place));
     this.holder = svg("g");
     this.turners = new Turners(on, (event) => this.view().plane(this.#pixels(event)), (place) => this.view().screen(place));
-    this.root = svg("svg", { class: "sketch-surface", role: "group", "aria-label": say("sketch.sheet") }, this.area, this.ink, this.cross, this.turners.root, this.holder);
+    this.root = svg("svg", { class: "sketch-surface", role: "group", "aria-label": say("sketch.sheet") }, this.area, this.ink, this.cross.root, this.turners.root, this.holder);
     frame.append(this.root);
     this.area.addEventListener("pointerdown", (event) => this.#press(event));
     this.area.addEventListener("pointermove", (event) => this.#move(event));
     this.area.addEventListener("pointerup", () => this.#lift());
     this.area.addEventListener("pointercancel", () => { this.#stop(); this.on.resume(); });
-    this.area.addEventListener("keydown", (event) => this.#key(event));
-    this.area.addEventListener("blur", () => this.cross.toggleAttribute("hidden", true));
   }
 
   #pixels(event) {
@@ -71,20 +68,6 @@ export class Surface {
     if (reach < CLICK) this.on.click(points[0]); else this.on.stroke(points);
   }
 
-  // Arrows move the cross, Enter and the space bar make a point there.
-  #key(event) {
-    const step = ARROWS_TO[event.key], puts = ["Enter", " "].includes(event.key);
-    if ((!step && !puts) || event.ctrlKey || event.altKey || event.metaKey) return;
-    event.preventDefault();
-    event.stopPropagation();
-    this.at ??= this.view().plane(this.view().middle);
-    if (puts) this.#put(this.at);
-    else this.at = this.#moved(this.at, step, event.shiftKey);
-    const [x, y] = this.view().screen(this.at);
-    set(this.cross, { transform: `translate(${round(x)} ${round(y)})` });
-    this.cross.toggleAttribute("hidden", false);
-  }
-
   // By keys the corners of a box are put one after another.
   #put(place) {
     if (!this.boxes) { this.on.click(place); return; }
@@ -92,8 +75,6 @@ export class Surface {
     this.corner = corner ? null : place;
     if (corner) this.on.box(corner, place);
   }
-
-  #moved(place, step, far) { return place.map((x, k) => x + ((far ? 5 : 1) * STEP_PIXELS * step[k]) / this.view().scale); }
 
   #handle(i) {
     const drop = (moved) => { if (moved) this.on.drop(); else this.on.click(this.places[i], i); };
@@ -104,7 +85,7 @@ export class Surface {
     const step = ARROWS_TO[event.key];
     if (event.key === "Delete") this.on.remove(i);
     if (step) {
-      this.on.drag(i, this.#moved(this.places[i], step, event.shiftKey));
+      this.on.drag(i, stepped(this.places[i], step, event.shiftKey, this.view()));
       this.on.drop();
     }
     return event.key === "Delete" || step !== undefined;

@@ -1,0 +1,135 @@
+// The mechanism that is built, its history, and what a hand does to it with the tool it has.
+
+import { History } from "../edit/history.js";
+import { mergeJoints, moveJoint, moveLink, placeOfSpot, removeJoint, removeLink, removeLoad, setLoad } from "./edits.js";
+import { FORCE_SCALE, spotAt } from "./hits.js";
+import { jointOf, linkOf } from "./model.js";
+import { TOOLS } from "./tools.js";
+
+export class Desk {
+  // `page`: spot(place, reach) of what is seen, snap(place), hold() before a hand does something, show() of a state that a hand still
+  // changes, settle() of one that stays, preview(from, to) from a place to a spot, or null, pan(pixels), refuse(tool or "field") of what cannot be done.
+  constructor(first, page) {
+    Object.assign(this, { page, steps: new History(first), tool: "move", chosen: null, pending: null, from: null });
+    this.state = first;
+  }
+
+  choose(tool) {
+    Object.assign(this, { tool, pending: null, from: null });
+    this.page.preview(null);
+  }
+
+  // Another state that can be undone; null: there is none.
+  change(next, chosen = this.chosen, why = this.tool) {
+    if (!next) {
+      this.state = this.steps.present;
+      this.page.refuse(why);
+      this.page.settle();
+      return;
+    }
+    this.steps.push(next);
+    this.#stand(chosen);
+  }
+
+  step(sense) {
+    this.steps[sense]();
+    this.#stand(this.chosen);
+  }
+
+  #stand(chosen) {
+    this.state = this.steps.present;
+    this.chosen = this.isThere(chosen) ? chosen : null;
+    this.page.settle();
+  }
+
+  isThere(one) {
+    if (!one) return false;
+    return one.link !== undefined ? linkOf(this.state, one.link) !== undefined : jointOf(this.state, one.joint ?? one.load) !== undefined
+      && (one.load === undefined || this.state.loads.some(({ on }) => on === one.load));
+  }
+
+  press(place, reach) {
+    this.from = this.page.spot(place, reach);
+    this.began = place;
+    this.page.hold();
+  }
+
+  // While a hand drags: the mechanism follows, or a line shows what will be.
+  move(place, reach, pixels) {
+    if (this.tool === "move") this.#carry(place, pixels);
+    else if (TOOLS[this.tool].drag) this.page.preview(this.#placeOf(this.from), this.page.spot(place, reach));
+  }
+
+  #placeOf(spot) { return spot.joint !== undefined || spot.at ? placeOfSpot(this.state, spot) : jointOf(this.state, spot.load)?.at ?? this.began; }
+
+  #carry(place, pixels) {
+    const { joint, link, load } = this.from, now = this.steps.present;
+    if (joint !== undefined) this.state = moveJoint(now, joint, this.page.snap(place));
+    else if (load !== undefined) this.state = setLoad(now, load, this.page.snap(place).map((x, k) => Math.round(FORCE_SCALE * (x - jointOf(now, load).at[k])))) ?? now;
+    else if (link !== undefined) this.state = moveLink(now, link, this.page.snap(place.map((x, k) => x - this.began[k])));
+    else { this.page.pan(pixels); return; }
+    this.page.show();
+  }
+
+  // A drag has ended there; or it was a click.
+  lift(place, reach, moved) {
+    const { from } = this;
+    this.page.preview(null);
+    this.from = null;
+    if (!moved) this.click(place, reach, from);
+    else if (this.tool === "move") this.#drop(from, place, reach);
+    else this.#act(from, this.page.spot(place, reach));
+  }
+
+  // A joint let go on another becomes one with it.
+  #drop(from, place, reach) {
+    if (from.joint === undefined && from.link === undefined && from.load === undefined) { this.page.settle(); return; }
+    const others = { ...this.state, joints: this.state.joints.filter(({ name }) => name !== from.joint) };
+    const target = from.joint === undefined ? undefined : spotAt({ ...others, sliders: [], links: [], loads: [] }, place, reach).joint;
+    this.change((target && mergeJoints(this.state, from.joint, target)) || this.state, target ? { joint: target } : from);
+  }
+
+  #act(from, to) {
+    const { drag } = TOOLS[this.tool];
+    this.pending = null;
+    if (drag) this.change(drag(this.state, from, to)); else this.click(null, 0, from);
+  }
+
+  // A click at a spot; of some tools two of them are a drag.
+  click(place, reach, spot = this.page.spot(place, reach)) {
+    const { tool, pending } = this, { click, ends } = TOOLS[tool];
+    if (tool === "move") { this.select(spot); return; }
+    if (pending) { this.page.preview(null); this.#act(pending, spot); return; }
+    const next = click?.(this.state, spot) ?? null;
+    if (next || !ends) this.change(next); else this.#begin(spot);
+  }
+
+  #begin(spot) {
+    this.pending = spot;
+    this.page.preview(this.#placeOf(spot), spot);
+    this.page.show();
+  }
+
+  // A cross or a pointer that is only moved.
+  hover(place, reach) { if (this.pending) this.page.preview(this.#placeOf(this.pending), this.page.spot(place, reach)); }
+
+  cancel() {
+    const isBusy = Boolean(this.pending || this.from);
+    Object.assign(this, { pending: null, from: null, state: this.steps.present });
+    this.page.preview(null);
+    this.page.settle();
+    return isBusy;
+  }
+
+  select(spot) {
+    const [kind] = ["joint", "link", "load"].filter((one) => spot?.[one] !== undefined);
+    this.chosen = kind ? { [kind]: spot[kind] } : null;
+    this.page.settle();
+  }
+
+  remove(one = this.chosen) {
+    if (!this.isThere(one)) return;
+    const { joint, link, load } = one;
+    this.change(joint !== undefined ? removeJoint(this.state, joint) : link !== undefined ? removeLink(this.state, link) : removeLoad(this.state, load), null);
+  }
+}

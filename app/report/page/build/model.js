@@ -1,0 +1,91 @@
+// A mechanism as it is built by hand: joints, sliders and links where they are drawn. States are plain values that nothing
+// changes; every edit gives another.
+//   joints  [{ name, at, of }]: `of` names the links that a pin joins, among them perhaps the frame; a joint of one link is a point of it
+//   sliders [{ name, block, on, degrees, along }]: the link `block` slides on a link or the frame, in the position drawn in the direction
+//           `degrees`; `along` names the two joints of `on` that give the direction instead, or is null
+//   links   [{ name, mass }], driven: the name of a link or null, loads [{ on, force }] at joints, weighs: whether gravity acts
+
+import { RADIANS } from "../sampling.js";
+
+export const FRAME = "frame";
+export const EMPTY = { joints: [], sliders: [], links: [], driven: null, loads: [], weighs: false };
+export const MOST = { joints: 60, sliders: 20, links: 60, loads: 20 };
+
+export const jointOf = ({ joints }, name) => joints.find((joint) => joint.name === name);
+export const linkOf = ({ links }, name) => links.find((link) => link.name === name);
+export const sliderOf = ({ sliders }, name) => sliders.find((slider) => slider.name === name);
+export const jointsOn = ({ joints }, link) => joints.filter(({ of }) => of.includes(link));
+export const slidersOn = ({ sliders }, link) => sliders.filter(({ block, on }) => block === link || on === link);
+export const isBlock = ({ sliders }, link) => sliders.some(({ block }) => block === link);
+export const isFixed = ({ of }) => of.includes(FRAME);
+
+// The pin at which a slider's block sits, and the direction in which it slides in the position drawn.
+export const pinOf = (state, { block }) => jointsOn(state, block)[0];
+
+export function directionOf(state, { along, degrees }) {
+  if (!along) return degrees;
+  const [p, q] = along.map((name) => jointOf(state, name).at);
+  return Math.atan2(q[1] - p[1], q[0] - p[0]) / RADIANS;
+}
+
+// How many joints a link has with the frame.
+const groundings = (state, link) => jointsOn(state, link).filter(isFixed).length + state.sliders.filter(({ block, on }) => block === link && on === FRAME).length;
+
+// Whether a link can drive.
+export const canDrive = (state, link) => link !== FRAME && groundings(state, link) === 1;
+
+// The link that drives: the one chosen, as long as it can, else the first with a fixed pivot.
+export function driverOf(state) {
+  if (state.driven && canDrive(state, state.driven)) return state.driven;
+  return state.links.find(({ name }) => canDrive(state, name) && !isBlock(state, name))?.name ?? null;
+}
+
+// The degrees of freedom of a planar chain of the links of the state (Chebychev, Grübler); a pin of n links counts n − 1 times.
+export function mobilityOf({ joints, sliders, links }) {
+  const pins = joints.reduce((sum, { of }) => sum + Math.max(0, of.length - 1), 0);
+  return 3 * links.length - 2 * (pins + sliders.length);
+}
+
+// The links that joints and sliders join to one another and to the frame.
+export function joinedToFrame({ joints, sliders }) {
+  const joined = new Set([FRAME]);
+  const groups = [...joints.map(({ of }) => of), ...sliders.map(({ block, on }) => [block, on])];
+  for (let size = 0; size !== joined.size;) {
+    size = joined.size;
+    for (const group of groups) if (group.some((name) => joined.has(name))) for (const name of group) joined.add(name);
+  }
+  return joined;
+}
+
+const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+
+const namesIn = ({ joints, sliders, links }) => new Set([FRAME, ...[joints, sliders, links].flatMap((list) => list.map(({ name }) => name))]);
+
+// A new name of a joint: A to Z, then A1 and on; of what is not a joint `letter`1 and on.
+export function freshName(state, letter = null) {
+  const taken = namesIn(state);
+  for (let i = 0; ; ++i) {
+    const name = letter ? `${letter}${i + 1}` : `${LETTERS[i % 26]}${i < 26 ? "" : Math.floor(i / 26)}`;
+    if (!taken.has(name)) return name;
+  }
+}
+
+export const isName = (name) => typeof name === "string" && /^[\p{L}\p{N}_.'-]{1,40}$/u.test(name);
+export const isFree = (state, name) => isName(name) && !namesIn(state).has(name);
+
+const arePlace = (place) => Array.isArray(place) && place.length === 2 && place.every((x) => Number.isFinite(x) && Math.abs(x) <= 1e6);
+const areDistinct = (list) => new Set(list).size === list.length;
+
+// Whether a state is one that edits can make: what it names is there, and nothing is too much.
+export function isSound(state) {
+  const { joints, sliders, links, driven, loads } = state;
+  const links_ = new Set(links.map(({ name }) => name)), isBody = (name) => name === FRAME || links_.has(name);
+  const names = [joints, sliders, links].flatMap((list) => list.map(({ name }) => name));
+  const isJoint = ({ at, of }) => arePlace(at) && of.length > 0 && areDistinct(of) && of.every(isBody);
+  const isSlider = ({ block, on, degrees, along }) => links_.has(block) && isBody(on) && on !== block && Number.isFinite(degrees) && jointsOn(state, block).length > 0
+    && (along === null || (along.length === 2 && along[0] !== along[1] && along.every((name) => jointOf(state, name)?.of.includes(on))));
+  const isHeld = ({ name, mass }) => jointsOn(state, name).length + slidersOn(state, name).length > 1 && Number.isFinite(mass) && mass >= 0;
+  return Object.entries(MOST).every(([key, most]) => state[key].length <= most) && names.every((name) => isName(name) && name !== FRAME) && areDistinct(names)
+    && joints.every(isJoint) && sliders.every(isSlider) && areDistinct(sliders.map(({ block }) => block)) && links.every(isHeld) && (driven === null || links_.has(driven))
+    && areDistinct(loads.map(({ on }) => on)) && loads.every(({ on, force }) => jointOf(state, on) !== undefined && arePlace(force));
+}

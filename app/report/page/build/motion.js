@@ -1,0 +1,120 @@
+// What the kernel says of a mechanism that was built: how it moves from the position drawn, and what follows from it.
+
+import { AnalysisKernel } from "../edit/analysis_kernel.js";
+import { Mechanism } from "../mechanism.js";
+import { say } from "../words.js";
+import { problemOfState } from "./chain.js";
+import { lackOf } from "./lacks.js";
+import { driverOf, FRAME } from "./model.js";
+
+const FULL = 360, NEAR = 1e-6;
+const FARTHEST = 240;   // mm to either side that the range of a driving slider is looked for
+const INSIDE = 1e-6;    // of the range within its limits: there rounding decides whether it closes
+
+const isOpen = ({ bodies }, k) => bodies.slice(1).some(({ x }) => (Array.isArray(x) ? x[k] : x) === null);
+const isRound = ({ drive }) => Math.abs(Math.abs(drive.at(-1) - drive[0]) - FULL) < NEAR;
+
+// The first sample from `begin` on in a sense that is open; -1 where none is.
+function firstOpen(motion, begin, sense) {
+  for (let k = begin; k >= 0 && k < motion.drive.length; k += sense) if (isOpen(motion, k)) return k;
+  return -1;
+}
+
+// Where the places of bodies are at a sample of a motion.
+function placesAt({ bodies }, k) {
+  const value = (track) => (Array.isArray(track) ? track[k] : track);
+  return new Map(bodies.map(({ name, x, y, deg }) => [name, [x, y, deg].map(value)]));
+}
+
+// Whether a slider drives: its coordinate is 0 in the position drawn, an angle that of the drawing.
+const isSlid = (state) => state.sliders.some(({ block, on }) => on === FRAME && block === driverOf(state));
+
+// A mechanism in motion whose bodies are known by their names in the state.
+export class BuiltMotion {
+  constructor(data, drawn, sweep) {
+    const { drive } = data.mechanism;
+    Object.assign(this, { data, drawn, start: sweep.start });
+    this.isTurning = sweep.isTurning;
+    this.mechanism = new Mechanism(data.mechanism, { from: drive[0], to: drive.at(-1), round: sweep.round });
+    this.numbers = new Map(this.mechanism.bodies.map(({ name }, i) => [name, i]));
+  }
+
+  // Of each body how the plane it was drawn in is moved: [x, y, cos, sin] of the origin; null where it is nowhere.
+  moves(drive) {
+    const places = this.mechanism.places(drive);
+    return new Map([...this.numbers].map(([name, i]) => [name, places[i] && moved(this.drawn.get(name), places[i])]));
+  }
+}
+
+function moved([x, y, deg], [toX, toY, c, s]) {
+  const angle = (deg * Math.PI) / 180, [c0, s0] = [Math.cos(angle), Math.sin(angle)];
+  const [cos, sin] = [c * c0 + s * s0, s * c0 - c * s0];
+  return [toX - cos * x + sin * y, toY - sin * x - cos * y, cos, sin];
+}
+
+// Where a point of the plane drawn is after a move.
+export const after = ([x, y, c, s], [u, v]) => [x + c * u - s * v, y + s * u + c * v];
+export const before = ([x, y, c, s], [u, v]) => [c * (u - x) + s * (v - y), c * (v - y) - s * (u - x)];
+
+export class Analyst {
+  constructor(kernel) { this.kernel = kernel; }
+
+  // The motion alone, as it follows a hand; {faults} where there is none, nothing where something is missing.
+  quick(state) {
+    const { data, slides, drawn } = this.#sweep(state);
+    if (!data || data.faults) return data ?? {};
+    const { mechanism: motion } = data;
+    return { motion: new BuiltMotion(data, placesAt(motion, drawn), { start: motion.drive[drawn], round: !slides && isRound(motion), isTurning: !slides }) };
+  }
+
+  // Everything, over the whole turn or over the range about the position drawn in which it can be assembled.
+  whole(state) {
+    const { data, slides, drawn } = this.#sweep(state);
+    if (!data || data.faults) return data ?? {};
+    const range = this.#range(state, data.mechanism, slides, drawn);
+    const all = this.#ask(() => this.kernel.whole(problemOfState(state, range)));
+    if (all.faults) return all;
+    return { motion: new BuiltMotion(all, placesAt(data.mechanism, drawn), { start: data.mechanism.drive[drawn], round: all.drive.round, isTurning: !slides }), range };
+  }
+
+  // The motion over a turn from the position drawn, or about it; `drawn` is the number of the sample at which it is drawn.
+  #sweep(state) {
+    if (lackOf(state)) return {};
+    const slides = isSlid(state), data = this.#motion(state, slides ? { start: -FARTHEST, end: FARTHEST } : null);
+    return { data, slides, drawn: slides && !data.faults ? nearestToZero(data.mechanism.drive) : 0 };
+  }
+
+  #motion(state, range) { return this.#ask(() => this.kernel.motion(problemOfState(state, range))); }
+
+  // The limits of the drive about the position drawn as files have them; null where it turns fully.
+  #range(state, motion, slides, drawn) {
+    const { drive } = motion, turn = slides ? 0 : FULL, forward = firstOpen(motion, drawn, 1);
+    if (!slides && forward < 0) return null;
+    const backward = firstOpen(motion, slides ? drawn : drive.length - 1, -1);
+    const high = forward < 0 ? drive.at(-1) : this.#limit(state, slides, drive[Math.max(0, forward - 1)], drive[forward]);
+    const low = backward < 0 ? drive[0] : this.#limit(state, slides, drive[Math.min(drive.length - 1, backward + 1)] - turn, drive[backward] - turn);
+    const inside = INSIDE * (high - low), [from, to] = [Math.min(drive[drawn], low + inside), Math.max(drive[drawn], high - inside)];
+    return rangeOf(slides, from, to);
+  }
+
+  // The last place of a finer sweep that is closed, from one that is to one that is not.
+  #limit(state, slides, closed, open) {
+    const data = this.#motion(state, rangeOf(slides, closed, open));
+    if (data.faults) return closed;
+    const k = firstOpen(data.mechanism, 0, 1);
+    return k > 0 ? data.mechanism.drive[k - 1] : closed;
+  }
+
+  // The kernel's answer; where it fails the next question goes to a fresh one.
+  #ask(question) {
+    try {
+      return question();
+    } catch {
+      AnalysisKernel.load().then((kernel) => { this.kernel = kernel; });
+      return { faults: [say("edit.failed")] };
+    }
+  }
+}
+
+const nearestToZero = (list) => list.reduce((best, x, k) => (Math.abs(x) < Math.abs(list[best]) ? k : best), 0);
+const rangeOf = (slides, from, to) => (slides ? { start: from, end: to } : { start_deg: from, end_deg: to });

@@ -1,0 +1,108 @@
+#include "problems/evaluation/as_drawn.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "analysis/mechanism/kinematics.hpp"
+#include "problems/mechanism/drawn/drawing_of.hpp"
+#include "problems/mechanism/read_whole_mechanism.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using reading::Entry;
+using reading::Table;
+
+/// A mechanism, and a position of its drive.
+struct Standing {
+  const NamedMechanism& mechanism;
+  double drive = 0;
+};
+
+/// Places of bodies of one mechanism as those of bodies of another that stands in the same
+/// position.
+class Redrawn {
+ public:
+  Redrawn(const Standing& before, const Standing& after, const DrawnMechanism& drawn)
+      : before_(before.mechanism.mechanism), after_(after.mechanism.mechanism) {
+    before_.move_to(before.drive);
+    after_.move_to(after.drive);
+    for (const std::size_t link : drawn.link_of_body) {
+      const auto& bodies = after.mechanism.bodies;
+      const auto body = std::ranges::find(bodies, drawn.drawing.links[link]);
+      body_.push_back(static_cast<int>(body - bodies.begin()));
+    }
+  }
+
+  Attached<double> place(const Attached<double>& at) const {
+    const int body = body_[static_cast<std::size_t>(at.body)];
+    const auto& to = after_.bodies()[static_cast<std::size_t>(body)];
+    return {body, conj(to.direction) * (before_.point(at)[0] - to.origin[0])};
+  }
+
+  std::vector<Inertia> inertias(const std::vector<Inertia>& given) const {
+    std::vector<Inertia> all(given.size());
+    for (std::size_t i = 1; i < given.size(); ++i) {
+      const auto [body, centre] = place({static_cast<int>(i), given[i].centre});
+      const bool heavy = given[i].mass > 0;
+      all[static_cast<std::size_t>(body)] = {given[i].mass, heavy ? centre : Vec2d{},
+                                             given[i].moment};
+    }
+    return all;
+  }
+
+ private:
+  MechanismMotion<0> before_, after_;
+  std::vector<int> body_;
+};
+
+/// The mechanism that a reader makes of the drawing, or its first fault.
+tl::expected<NamedMechanism, std::string> read_again(const Table& mechanism) {
+  const Table nothing;
+  reading::FaultList faults;
+  reading::TableReader document(nothing, faults), table(mechanism, faults);
+  auto read = reading::read_whole_mechanism(document, table);
+  if (!faults.empty()) {
+    return tl::unexpected("where its drive begins, " + std::move(faults).sorted().front().message);
+  }
+  return std::move(read->mechanism);
+}
+
+/// The problem with another description of its mechanism, whose drive counts from where it begins
+/// if it slides.
+AnalysisProblem with(const NamedMechanism& drawn, const DrawnMechanism& names,
+                     const AnalysisProblem& given) {
+  AnalysisProblem problem = given;
+  const double zero = drive_slides(given) ? given.drive.start : 0;
+  problem.drive.start -= zero;
+  problem.drive.end -= zero;
+  problem.mechanism = drawn;
+  const Redrawn redrawn({given.mechanism, given.drive.start}, {drawn, problem.drive.start}, names);
+  problem.inertias = redrawn.inertias(given.inertias);
+  for (LoadRule& load : problem.loads) {
+    load.at = redrawn.place(load.at);
+    if (!load.between) continue;
+    load.between->first -= zero;
+    load.between->second -= zero;
+  }
+  problem.output = {};
+  problem.tolerances.reset();
+  problem.layers.reset();
+  return problem;
+}
+
+}  // namespace
+
+tl::expected<Table, std::string> written_as_drawn(const AnalysisProblem& problem) {
+  const auto drawn = drawing_of(problem.mechanism, problem.drive.start);
+  if (!drawn) return tl::unexpected(drawn.error());
+  const Table mechanism = drawing_writer(drawn->drawing).take();
+  const auto read = read_again(mechanism);
+  if (!read) return tl::unexpected(read.error());
+  auto written = KindTraits<AnalysisProblem>::written(with(*read, *drawn, problem));
+  const auto entry = std::ranges::find(written.document, "mechanism", &Entry::key);
+  entry->node = reading::node(mechanism);
+  return std::move(written.document);
+}
+
+}  // namespace cognate::problems
