@@ -2,8 +2,8 @@
 // against those that the program finds within the same limits. Usage: node fronts.mjs BUILD [DRAWINGS]
 // BUILD: the folder of the build. The drawings are those of sketch.mjs; each front is searched for as the page does after its
 // searches for designs, and each of its points solved by the program with the starts of the file that the page saves.
-import { Candidate } from "../../../app/report/page/sketch/candidate.js";
 import { Front } from "../../../app/report/page/sketch/front.js";
+import { modeOf } from "../../../app/report/page/sketch/modes.js";
 import { problemOf, questionsOf } from "../../../app/report/page/sketch/question.js";
 import { byProgram, DRAWINGS, median, searchOf, timed } from "./searches.mjs";
 
@@ -11,19 +11,19 @@ const [build, drawings = "12"] = process.argv.slice(2);
 const NEAR = 1.01, FILE = { starts: 500, designs: 3 };
 const solve = await searchOf(build);
 
-function answered({ problem, known }) {
+function answered({ problem, known }, drawn) {
   const { value: { designs = [] }, seconds } = timed(() => solve(known.length ? { ...problem, known } : problem));
-  return { found: designs.map((entry) => new Candidate(entry)), seconds };
+  return { found: designs.map((entry) => modeOf(drawn).candidate(entry, drawn)), seconds };
 }
 
 // The front of a drawing, and the seconds until it stands and until it has ended.
 function frontOf(drawn) {
   const front = new Front();
   front.follow(drawn);
-  for (const question of questionsOf(drawn, [])) front.add(answered(question).found);
+  for (const question of questionsOf(drawn, [])) front.add(answered(question, drawn).found);
   let [first, all] = [0, 0];
   while (!front.ended) {
-    const { found, seconds } = answered(front.question);
+    const { found, seconds } = answered(front.question, drawn);
     if (!front.stands) first += seconds;
     all += seconds;
     front.take(found);

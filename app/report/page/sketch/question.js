@@ -15,7 +15,7 @@ const KEPT_CLEAR = ["coupler-point", "B", "C"];
 // Starts of the searches that follow one another. Fewer are mostly enough for poses, since more is made of each; limits over the
 // whole turn take ten times as long.
 export function startsOf({ angles, ranges, obstacle }) {
-  if (ranges) return [64, 256, 1024];
+  if (ranges) return [16, 128, 512];
   return obstacle ? [15, 60, 250] : [...(angles ? [15] : []), 60, 500, 2500];
 }
 
