@@ -31,11 +31,13 @@ const DOES = {
   }, share),
   kind: (page) => page.evaluate((id) => document.getElementById(id).click(), pick(["of-curve", "of-poses", "of-function"])),
   typed: (page) => page.evaluate(([text, from, to]) => {
+    if (!document.getElementById("typed").checkVisibility()) return;
     Object.entries({ expression: text, "domain-from": from, "domain-to": to }).forEach(([id, value]) => { document.getElementById(id).value = value; });
     document.getElementById("plot").click();
   }, [pick(["x", "x^2", "log10(x)", "sin(3*x)", "1/x", "sqrt(x", "abs(x - 1)", "0"]), pick([-1, 0, 1]), pick([1, 2])]),
   range: (page) => page.evaluate(([id, value]) => {
     const field = document.getElementById(id);
+    if (!field.checkVisibility()) return;
     field.value = value;
     field.dispatchEvent(new Event("change", { bubbles: true }));
   }, [pick(["input-range", "output-range"]), pick(["60", "180", "-45", "360", "0", "", "500"])]),
