@@ -155,7 +155,7 @@ test("the address holds the function and its design", () => visit({}, async (pag
 
 const THREE = "p=0,0;45,20;90,60";
 for (const damaged of [`${THREE}&f=90`, `${THREE}&f=0,60`, `${THREE}&f=90,0`, `${THREE}&f=-90,60`, `${THREE}&f=90,-60`, `${THREE}&f=80,60`, "p=0,0;45,20;20,60&f=90,60", "p=0,0,0;45,20,0;90,60,1&f=90,60",
-  `${THREE}&f=90,60&d=1,2,3`, `${THREE}&f=90,60&d=1,-2,3,4,5,6,7,8,9;open;crank-rocker`, `${THREE}&f=90,60&d=1,2,3,40,5,6,7,8,9;open;crank-rocker`, `${THREE}&f=90,60&d=1,2,3,4,5,6,7,8,9;open;<b>`]) {
+  `${THREE}&f=90,60&d=1,2,3`, `${THREE}&f=90,60&d=1,-2,3,4,5,6,7,8,9;open;crank-rocker`, `${THREE}&f=90,60&d=1,2,3,40,5,6,7,8,9;open;crank-rocker`, `${THREE}&f=90,60&d=1,2,3,4,5,6,7,8,9;open;<b>`, `${THREE}&f=90,60&d=1,0.6,0.6,1.2,0,0,7,8,9;open;triple-rocker`]) {
   test(`a damaged address #${damaged} does no harm`, () => visit({ hash: `#${damaged}` }, async (page) => {
     assert.ok([0, 3].includes(await targets(page)));
     await begin(page);
@@ -164,6 +164,20 @@ for (const damaged of [`${THREE}&f=90`, `${THREE}&f=0,60`, `${THREE}&f=90,0`, `$
     assertAsSaid(page);
   }));
 }
+
+test("over a whole turn the crank goes round, and its design is analysed", () => visit({ hash: "#p=0,0;90,20;180,40;270,20;360,0&f=360,40" }, async (page) => {
+  await settled(page);
+  const { name } = assertAsSaid(page);
+  assert.equal(name, "crank-rocker");
+  const crank = async (place) => {
+    await page.locator("#drive").evaluate((slider, to) => { slider.value = to; slider.dispatchEvent(new Event("input")); }, place);
+    return page.evaluate(() => ["A", "B"].map((pin) => document.querySelector(`[data-pin=${pin}]`)).map((pin) => ["cx", "cy"].map((key) => Number(pin.getAttribute(key)))));
+  };
+  const [first, half, end] = [await crank(0), await crank(180), await crank(359.99)];
+  assert.ok([0, 1].every((k) => Math.abs(first[1][k] + half[1][k] - 2 * first[0][k]) < 0.1 && Math.abs(end[1][k] - first[1][k]) < 0.1), JSON.stringify([first, half, end]));
+  await page.locator("[data-take=copy_design]").click();
+  assert.equal((await answered("analyze", await page.locator("#taken").inputValue())).designs.length, 1);
+}));
 
 test("limits are kept, and their costs are what the search finds without them", () => visit({}, async (page) => {
   await begin(page);
@@ -219,6 +233,11 @@ for (const look of LOOKS) {
     await settled(page);
     await assertFits(page);
     for (const id of ["region", "obstacle", "bring", "closed"]) assert.equal(await page.locator(`#${id}`).isVisible(), false);
+    // Nor do their keys make the next stroke a box.
+    for (const key of ["r", "o", "c"]) await page.keyboard.press(key);
+    await stroke(page, (t) => 0.9 * t);
+    await settled(page);
+    assert.ok(await targets(page) >= 9);
     await page.locator("#of-curve").click();
     for (const id of ["region", "obstacle", "bring", "closed"]) assert.equal(await page.locator(`#${id}`).isVisible(), true);
     assert.equal(await page.locator("#diagram").count(), 0);

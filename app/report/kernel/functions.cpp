@@ -70,8 +70,8 @@ std::vector<Design> solved(const FunctionProblem& problem, const problems::Run& 
   const problems::FunctionSamples wanted = function_samples(problem);
   std::vector<Design> designs;
   for (const auto& [minimum, from] : search_functions(problem, wanted, run, none, work).minima) {
-    Design design = function_design(problem, wanted, minimum,
-                                    positions_of(minimum, wanted.samples), "search");
+    Design design =
+        function_design(problem, wanted, minimum, positions_of(minimum, wanted.samples), "search");
     if (std::isfinite(design.error.sum_of_squares) && all_satisfied(design.constraints)) {
       designs.push_back(std::move(design));
     }

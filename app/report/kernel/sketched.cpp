@@ -34,7 +34,8 @@ void add_starts(const problems::Metrics& metrics, json& entry) {
   if (!metrics.input_start || !metrics.output_start) return;
   entry["input_start_deg"] = problems::degrees(*metrics.input_start);
   entry["output_start_deg"] = problems::degrees(*metrics.output_start);
-  for (const char* error : {"rms", "max"}) entry[error] = entry[error].get<double>() * kDegreesInRadian;
+  for (const char* error : {"rms", "max"})
+    entry[error] = entry[error].get<double>() * kDegreesInRadian;
 }
 
 json entry_of(const Design& design) {

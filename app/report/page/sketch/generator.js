@@ -1,4 +1,4 @@
-// A four-bar that generates a function, in motion on the sheet: to and fro over the inputs of the pairs.
+// A four-bar that generates a function, in motion on the sheet: to and fro over the inputs of the pairs, or round over a whole turn.
 
 import { RADIANS } from "../sampling.js";
 import { Closure } from "../study/closure.js";
@@ -6,7 +6,8 @@ import { boxOf } from "../view.js";
 import { withoutNoise } from "./candidate.js";
 import { placeOf, STAGE } from "./diagram.js";
 
-const PLACES_OF_MOTION = 90;
+const PLACES_OF_MOTION = 120;
+const WHOLE_TURN = 359.99;    // degrees of the input from which on the crank goes round
 const ALIKE_GENERATOR = 0.1, ALIKE_GENERATOR_IF_MET = 0.3;   // in the logarithms of lengths and in radians
 
 const lengthsOf = ({ crank, coupler, rocker, fixed_pivots: [a, d] }) => [crank, coupler, rocker, Math.hypot(d[0] - a[0], d[1] - a[1])];
@@ -25,8 +26,9 @@ export class Generator {
   // transmission_acute_min_deg; for the pairs and ranges of a state.
   constructor(entry, { points, ranges }) {
     Object.assign(this, { entry, ranges, from: points[0][0], to: points.at(-1)[0], tracesFunction: true });
+    this.goesRound = this.to - this.from > WHOLE_TURN;
     this.lengths = lengthsOf(entry.mechanism);
-    const own = new Closure(entry.mechanism), phases = Array.from({ length: PLACES_OF_MOTION + 1 }, (_, i) => (Math.PI * i) / PLACES_OF_MOTION);
+    const own = new Closure(entry.mechanism), last = this.goesRound ? 2 * Math.PI - 1e-9 : Math.PI, phases = Array.from({ length: PLACES_OF_MOTION + 1 }, (_, i) => (last * i) / PLACES_OF_MOTION);
     const joints = phases.map((phase) => own.at(this.#crank(phase) * RADIANS)).filter(Boolean).flatMap(({ b, c }) => [b, c]);
     this.linkage = { closure: new Closure(joints.length ? placed(entry.mechanism, [own.a, own.d, ...joints]) : entry.mechanism) };
     this.poses = phases.map((phase) => this.pose(phase)).filter(Boolean);
@@ -36,7 +38,10 @@ export class Generator {
     this.ratio = Math.max(...this.lengths) / Math.min(...this.lengths);
   }
 
-  #input(phase) { return this.from + ((this.to - this.from) * (1 - Math.cos(phase))) / 2; }
+  #input(phase) {
+    const turns = phase / (2 * Math.PI);
+    return this.from + (this.to - this.from) * (this.goesRound ? turns - Math.floor(turns) : (1 - Math.cos(phase)) / 2);
+  }
 
   #crank(phase) { return this.entry.input_start_deg + this.#input(phase); }
 
@@ -51,18 +56,20 @@ export class Generator {
     return pose ? this.#output(pose, output) - output : NaN;
   }
 
-  // Where it is at `phase`, 0 to 2π, and p, where its pair of angles stands in the diagram.
+  // Where it is at `phase`, 0 to 2π, its output, and p, where its pair of angles stands in the diagram.
   pose(phase) {
-    const { closure } = this.linkage, pose = closure.at(this.#crank(phase) * RADIANS);
-    return pose && { ...pose, p: placeOf([this.#input(phase), this.#output(pose, this.ranges[1] / 2)], this.ranges) };
+    const pose = this.linkage.closure.at(this.#crank(phase) * RADIANS);
+    if (!pose) return null;
+    const output = this.#output(pose, this.ranges[1] / 2);
+    return { ...pose, output, p: placeOf([this.#input(phase), output], this.ranges) };
   }
 
   bodyAngle() { return null; }
 
   // What crank and rocker turn through: {at, radius, from, to}, of places of the sheet and degrees.
   get sectors() {
-    const { a, d, linkage: { crank, rocker } } = this.linkage.closure, output = (phase) => this.#output(this.linkage.closure.at(this.#crank(phase) * RADIANS), this.ranges[1] / 2) + this.entry.output_start_deg;
-    return [{ at: a, radius: crank, from: this.range[0], to: this.range[1] }, { at: d, radius: rocker, from: output(0), to: output(Math.PI) }];
+    const { a, d, linkage: { crank, rocker } } = this.linkage.closure, [first] = this.range, outputs = this.poses.map(({ output }) => output + this.entry.output_start_deg);
+    return [{ at: a, radius: crank, from: first, to: first + Math.min(this.to - this.from, WHOLE_TURN) }, { at: d, radius: rocker, from: Math.min(...outputs), to: Math.max(...outputs) }];
   }
 
   // The crank's angles over the motion, in degrees.

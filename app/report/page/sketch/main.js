@@ -326,6 +326,7 @@ document.title = `${say("sketch.title")} – Cognate`;
 byId("summary").textContent = say("sketch.summary");
 byId("work").remove();
 if (!search) {
+  byId("plot").disabled = true;
   byId("notes").hidden = false;
   byId("notes-list").append(element("li", { id: "no-kernel" }, say("sketch.no_kernel")));
 }
