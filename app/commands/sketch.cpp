@@ -48,7 +48,7 @@ tl::expected<nlohmann::ordered_json, ExitStatus> beginning(const std::string& fi
 /// Writes the page to `file`; nothing is replaced.
 FileResult write_page(const Page& page, const nlohmann::ordered_json& data, const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  const auto ready = prepare_folder(folder, {file.filename().string()});
+  auto ready = prepare_folder(folder, {file.filename().string()});
   if (!ready) return ready;
   std::error_code error;
   if (fs::exists(fs::symlink_status(file, error))) {

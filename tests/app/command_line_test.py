@@ -290,6 +290,19 @@ class CommandLine(unittest.TestCase):
                         seen += 1
         self.assertGreater(seen, 300)
 
+    def test_pages_to_draw_on_are_written_once(self):
+        for flags, name, title in ((), "sketch.html", "sketch."), (("--mechanism",), "mechanism.html", "build."):
+            done = run("sketch", *flags, cwd=self.folder)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertEqual(done.stdout, f"wrote {name}; open it in a browser\n")
+            page = (self.folder / name).read_text()
+            self.assertTrue(page.startswith("<!doctype html>"))
+            self.assertNotRegex(page, r"@(DATA|STYLE|SCRIPT|WORDS|KERNEL)@")
+            self.assertIn(f'data-say="{title}', page)
+            self.expect_one_line_refusal(run("sketch", *flags, cwd=self.folder), name, "is there already")
+            other = run("sketch", *flags, "--json", "--out", "other-" + name, cwd=self.folder)
+            self.assertEqual(json.loads(other.stdout), {"format": "cognate-sketch/1", "files": ["other-" + name]})
+
     def test_output_that_cannot_be_written(self):
         with open("/dev/full", "w") as full:
             done = run("list", stdout=full)

@@ -5,6 +5,7 @@ import { test } from "node:test";
 import { analysed, choose, click, drag, drawLinks, driveOf, factsOf, file, fix, jointsOf, linksOf, moving, pinsAt, saidOf, sheetOf, visit } from "./building.mjs";
 import { assertFits, distance, goesToAndFro, moves, some } from "./browser.mjs";
 import { couplerPose } from "./closures.mjs";
+import { gapOf } from "./rigidity.mjs";
 
 const RADIANS = Math.PI / 180;
 const NEAR = 0.02;   // mm: pins are drawn to a hundredth of a pixel, and between samples they are interpolated
@@ -155,6 +156,26 @@ test("by Tab one goes on from a field that was changed", () => visit({}, async (
   await page.waitForFunction(() => document.activeElement.dataset.cell === "joint.crank.pin.name");
 }));
 
+test("arrows move what is selected", () => visit({}, async (page) => {
+  await page.locator("[data-example=four_bar]").click();
+  await moving(page);
+  await click(page, [20, 18]);
+  for (const key of ["ArrowUp", "Shift+ArrowLeft"]) await page.keyboard.press(key);
+  assert.deepEqual((await jointsOf(page)).C.at, [15, 19]);
+  await moving(page);
+  // A link goes with its joints.
+  await page.locator('[data-cell="link.L3.name"]').focus();
+  await page.locator("#sheet").focus();
+  await page.keyboard.press("ArrowRight");
+  const { C, D } = await jointsOf(page);
+  assert.deepEqual([C.at, D.at], [[16, 19], [23, -15]]);
+  // With nothing selected the cross moves.
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("ArrowRight");
+  assert.deepEqual((await jointsOf(page)).C.at, [16, 19]);
+  assert.ok(await page.locator(".sketch-cross").isVisible());
+}));
+
 test("what has begun is cancelled by Escape", () => visit({}, async (page) => {
   await choose(page, "link");
   await click(page, [-30, 0]);
@@ -295,6 +316,10 @@ for (const example of ["four_bar", "slider_crank", "six_bar", "quick_return"]) {
     await page.locator(`[data-example=${example}]`).click();
     await moving(page);
     assert.equal(await saidOf(page), "Mobility 1: the drive turns fully.");
+    // It begins where it is drawn, and holds together.
+    const joints = await jointsOf(page), names = Object.keys(joints);
+    (await pinsAt(page, (await driveOf(page))[0], names)).forEach((place, i) => assertNear(place, joints[names[i]].at, names[i]));
+    assert.ok(await gapOf(page) < 0.1);
     await assertSameFacts(page);
   }));
 }
@@ -324,6 +349,27 @@ test("a range that is not a whole turn is in the file", () => visit({}, async (p
   await moving(page);
   await assertSameFacts(page);
 }));
+
+const LIBRARY = new URL("../../problems/library/analysis/", import.meta.url).pathname;
+for (const name of some(["jansen-leg", "stephenson-six-bar", "fixed-block", "shaper", "toggle-press", "klann-leg", "scotch-yoke", "double-rocker", "slotter", "tangent-generator", "oscillating-block", "pump-jack"])) {
+  test(`the page begins with the mechanism of ${name}`, () => visit({ problem: `${LIBRARY}${name}.toml` }, async (page) => {
+    await moving(page);
+    const joints = await jointsOf(page), names = Object.keys(joints), [from, to] = await driveOf(page);
+    const drawn = await pinsAt(page, from, names);
+    assert.ok(names.length > 1 && drawn.flat().every(Number.isFinite));
+    // That of a tangent generator runs to infinity, and its lever is measured otherwise as a chain.
+    const isBounded = name !== "tangent-generator";
+    if (isBounded) assert.ok(await gapOf(page) < 0.5);
+    // It fills the sheet.
+    const [width, height] = [0, 1].map((k) => Math.max(...drawn.map((p) => p[k])) - Math.min(...drawn.map((p) => p[k])));
+    assert.ok(Math.max(width, height) > 15 && Math.max(width, height) < 200, `${width} by ${height}`);
+    await page.locator("[data-take=copy_problem]").click();
+    const [own, original] = [await analysed(await page.locator("#taken").inputValue()), await analysed(fs.readFileSync(`${LIBRARY}${name}.toml`, "utf8"))].map(({ designs: [{ metrics }] }) => metrics);
+    assert.deepEqual(own.topology, original.topology);
+    // A file may move it through a part of its range.
+    for (const key of ["min", "max"]) if (isBounded && to - from > 359.9 && original.transmission_angle_deg) assert.ok(Math.abs(own.transmission_angle_deg[key] - original.transmission_angle_deg[key]) < 0.02);
+  }));
+}
 
 test("the address holds the mechanism", () => visit({}, async (page) => {
   await page.locator("[data-example=quick_return]").click();

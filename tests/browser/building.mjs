@@ -20,12 +20,19 @@ before(async () => {
 });
 after(async () => { await browser?.close(); fs.rmSync(folder, { recursive: true }); });
 
-export async function visit(options, steps) {
-  const { page, faults, close } = await open(browser, file, { motion: "reduce", ...options });
+// `problem`: a file with which the page is written.
+export async function visit({ problem, ...options }, steps) {
+  const { page, faults, close } = await open(browser, problem ? written(problem) : file, { motion: "reduce", ...options });
   await page.locator(".build-tool[aria-checked=true]").waitFor();
   await steps(page);
   assert.deepEqual(faults, []);
   await close();
+}
+
+function written(problem) {
+  const given = path.join(folder, `${path.basename(problem, ".toml")}.html`);
+  execFileSync(process.env.COGNATE, ["sketch", problem, "--out", given]);
+  return given;
 }
 
 // What the program makes of a file: its result.

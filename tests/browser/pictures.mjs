@@ -24,12 +24,13 @@ const POSES = [[[0.22, 0.62], [0.3, 0.62]], [[0.33, 0.42], [0.4, 0.38]], [[0.52,
 // A function likewise, through its diagram.
 const FUNCTION = Array.from({ length: 61 }, (_, i) => i / 60).map((t) => [0.16 + 0.367 * t, 0.645 - 0.6 * (0.04 + 0.92 * (1.25 * t - 0.25 * t * t * t))]);
 
-// `draw`: strokes, in shares of the sheet, after a click on `begin`. `click`: a choice about the picture. `press`: the extra layers of the picture. `drive`: where the mechanism stands, in degrees or length. `show`: how far down the picture goes.
+// `options` of the command. `draw`: strokes, in shares of the sheet, after a click on `begin`. `click`: a choice about the picture. `press`: the extra layers of the picture. `drive`: where the mechanism stands, in degrees or length. `show`: how far down the picture goes.
 const PICTURES = [
   { name: "sketch", command: "sketch", file: "sketch", draw: [DROP], drive: 150, show: "#stage" },
   { name: "sketch-front", command: "sketch", file: "sketch", draw: [DROP], only: "#front" },
   { name: "sketch-poses", command: "sketch", file: "sketch", begin: "#of-poses", draw: POSES, drive: 80, show: "#stage" },
   { name: "sketch-function", command: "sketch", file: "sketch", begin: "#of-function", draw: [FUNCTION], drive: 105, show: "#stage" },
+  { name: "build", command: "sketch", file: "mechanism", options: ["--mechanism"], begin: "[data-example=quick_return]", drive: 148, show: "#stage" },
   { name: "report", command: "solve", file: "path/ten-point-ellipse" },
   { name: "report-dark", command: "solve", file: "path/ten-point-ellipse", scheme: "dark" },
   { name: "report-zh", command: "solve", file: "path/ten-point-ellipse", locale: "zh-CN" },
@@ -78,9 +79,9 @@ async function drawStrokes(page, strokes) {
 }
 
 // Writes the page of a picture into `folder`.
-function writePage({ command, file }, folder) {
+function writePage({ command, file, options = [] }, folder) {
   const page = path.join(folder, `${path.basename(file)}.report.html`);
-  const what = command === "sketch" ? ["--out", page] : [path.join(library, `${file}.toml`), "--out", folder];
+  const what = command === "sketch" ? [...options, "--out", page] : [path.join(library, `${file}.toml`), "--out", folder];
   // A report is written, too, where a problem cannot be met.
   if (!existsSync(page)) spawnSync(program, [command, ...what, "--quiet"], { stdio: "inherit" });
   return page;

@@ -1,8 +1,9 @@
 // What random hands do to the page of `cognate sketch --mechanism` in headless Chromium:
 //   BROWSER_PACKAGES=$PWD/build/release/tests/browser/npm node tests/stress/building_hands.mjs build/release/app/cognate [ACTIONS] [SEED]
 // Links, pivots, sliders, points, forces, drags, keys, fields, examples, undoing: none waits for the one before. Every hundred the page must say
-// in a sentence how the mechanism moves or why it does not, and its address must open as the same mechanism; messages of the console, and a
-// page that does not answer, end the run with 1.
+// in a sentence how the mechanism moves or why it does not, what moves must hold together, and its address must open as the same mechanism; messages
+// of the console, and a page that does not answer, end the run with 1.
+import { gapOf } from "../browser/rigidity.mjs";
 import { act, hands, PATIENCE, through } from "./hands.mjs";
 
 const [program, actions = "1000", seed = "1"] = process.argv.slice(2);
@@ -48,12 +49,17 @@ const DOES = {
   }, random()),
 };
 
+const GAP = 0.5;   // pixels: between its samples a motion is interpolated
 let rested = 0, moving = 0;
 async function rests(page) {
   await page.keyboard.press("Escape");
   await page.waitForFunction(() => document.getElementById("state").textContent !== "", null, { timeout: PATIENCE });
   rested += 1;
-  moving += await page.locator("#state.sound").count();
+  if (await page.locator("#state.sound").count()) {
+    moving += 1;
+    const gap = await gapOf(page);
+    if (!(gap < GAP)) throw new Error(`a gap of ${gap} pixels on ${page.url()}`);
+  }
   // The address opens as the same mechanism.
   const rows = () => page.evaluate(() => [...document.querySelectorAll("#lists tbody tr")].map((row) => row.dataset.row).join());
   const before = await rows();

@@ -13,7 +13,7 @@ export class Zoom {
   // `scene()` is the picture in the frame now, `redraw` builds it anew; `letters`: whether those of the keyboard move the view.
   constructor(stage, frame, scene, redraw, letters = true) {
     Object.assign(this, { stage, frame, scene, redraw, fingers: new Map() });
-    this.#offer();
+    this.#offer(letters ? "zoom.large" : "zoom.large_plain");
     frame.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
     frame.addEventListener("pointerdown", (event) => this.#press(event));
     frame.addEventListener("pointermove", (event) => this.#drag(event));
@@ -31,14 +31,14 @@ export class Zoom {
     shortcut(["f"], "f", "zoom.large", () => this.large());
   }
 
-  #offer() {
-    const button = (name, act, attributes = {}) => {
-      const made = element("button", { type: "button", "aria-label": say(`zoom.${name}`), title: say(`zoom.${name}`), "data-zoom": name, ...attributes },
+  #offer(large) {
+    const button = (name, act, attributes = {}, words = `zoom.${name}`) => {
+      const made = element("button", { type: "button", "aria-label": say(words), title: say(words), "data-zoom": name, ...attributes },
         svg("svg", { viewBox: "0 0 24 24", "aria-hidden": "true" }, svg("path", { d: ZOOM_ICONS[name] })));
       made.addEventListener("click", act);
       return made;
     };
-    this.largeButton = button("large", () => this.large(), { "aria-pressed": "false" });
+    this.largeButton = button("large", () => this.large(), { "aria-pressed": "false" }, large);
     this.frame.append(element("div", { class: "picture-tools", role: "group", "aria-label": say("zoom.title") }, button("nearer", () => this.by(NEARER)),
       button("farther", () => this.by(1 / NEARER)), button("all", () => this.all()), this.largeButton));
   }

@@ -62,9 +62,8 @@ class Describer {
       described_.chain.drive =
           SliderDescription{slide_of(on_frame, 0, joint(pin).at), joint(pin).name, name(link)};
     } else {
-      const auto length = length_of(link, on_frame, pin);
       const Vec2d along = joint(pin).at - joint(on_frame).at;
-      if (length == 0) return;
+      const double length = norm(along);
       axes_[link] = {joint(on_frame).at, (1 / length) * along};
       described_.drive = angle_of(along);
       described_.chain.drive =

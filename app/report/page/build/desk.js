@@ -15,8 +15,8 @@ export class Desk {
   }
 
   choose(tool) {
-    Object.assign(this, { tool, pending: null, from: null });
-    this.page.preview(null);
+    if (this.pending) this.cancel();
+    this.tool = tool;
   }
 
   // Another state that can be undone; null: there is none.
@@ -113,9 +113,10 @@ export class Desk {
   // A cross or a pointer that is only moved.
   hover(place, reach) { if (this.pending) this.page.preview(this.#placeOf(this.pending), this.page.spot(place, reach)); }
 
+  // Ends what has begun, or selects nothing; false where there was neither.
   cancel() {
-    const isBusy = Boolean(this.pending || this.from);
-    Object.assign(this, { pending: null, from: null, state: this.steps.present });
+    const isBusy = Boolean(this.pending || this.from || this.chosen);
+    Object.assign(this, { pending: null, chosen: this.pending || this.from ? this.chosen : null, from: null, state: this.steps.present });
     this.page.preview(null);
     this.page.settle();
     return isBusy;
@@ -125,6 +126,14 @@ export class Desk {
     const [kind] = ["joint", "link", "load"].filter((one) => spot?.[one] !== undefined);
     this.chosen = kind ? { [kind]: spot[kind] } : null;
     this.page.settle();
+  }
+
+  // Moves what is selected by a way.
+  carry(way) {
+    const { joint, link, load } = this.chosen, { state } = this, plus = (place, scale = 1) => place.map((x, k) => Number((x + scale * way[k]).toPrecision(9)));
+    if (joint !== undefined) this.change(moveJoint(state, joint, plus(jointOf(state, joint).at)));
+    else if (link !== undefined) this.change(moveLink(state, link, way));
+    else this.change(setLoad(state, load, plus(state.loads.find(({ on }) => on === load).force, FORCE_SCALE)));
   }
 
   remove(one = this.chosen) {

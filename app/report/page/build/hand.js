@@ -11,10 +11,12 @@ const REACH = { mouse: 11, pen: 13, touch: 20 };   // pixels
 
 export class Hand {
   // `on`, of places in the plane and a reach there: press, move(place, reach, pixels since the last), lift(place, reach, moved), hover(place,
-  // reach, by keys), put(place, reach) by keys, cancel(); of joints by name: key(name, event), whether it has used the key, and focus(name). `view()` is that of the picture.
+  // reach, by keys), put(place, reach) by keys, cancel(), leave(), carry(event) of a key, whether it has used it; of joints by name: key(name, event), whether it has used the key, and focus(name). `view()` is that of the picture.
   constructor(frame, view, on) {
     Object.assign(this, { view, on, handles: [], names: [], pointer: null });
     this.area = svg("rect", { class: "draw-handle", width: "100%", height: "100%", tabindex: 0, role: "button", id: "sheet", "aria-label": say("build.sheet") });
+    this.area.addEventListener("keydown", (event) => this.#carry(event));
+    this.area.addEventListener("blur", () => on.leave());
     this.cross = new Cross(this.area, view, (place) => on.put(place, this.#reach("mouse")), (place) => on.hover(place, this.#reach("mouse"), true));
     this.line = svg("path", { class: "build-preview" });
     this.ring = svg("circle", { class: "build-ring", r: 11, hidden: "" });
@@ -41,6 +43,13 @@ export class Hand {
     this.cross.hide();
     Object.assign(this, { pointer: event.pointerId, start: this.#pixels(event), last: this.#pixels(event), moved: false });
     this.on.press(this.view().plane(this.start), this.#reach(event.pointerType));
+  }
+
+  // Unless the cross is out, arrows move what is selected.
+  #carry(event) {
+    if (!this.cross.root.hasAttribute("hidden") || event.ctrlKey || event.altKey || event.metaKey || !this.on.carry(event)) return;
+    event.preventDefault();
+    event.stopImmediatePropagation();
   }
 
   #move(event) {

@@ -1,12 +1,12 @@
 // The page on which a mechanism is built: what a hand draws is analysed as it moves.
 
 import { followTheme } from "../appearance.js";
-import { Controls } from "../controls.js";
 import { byId, element, set } from "../dom.js";
 import { AnalysisKernel } from "../edit/analysis_kernel.js";
+import { embedded } from "../embedded.js";
 import { Kernel } from "../kernel.js";
 import { listenToUndo, shortcut } from "../keys.js";
-import { filmed, Saves } from "../saves.js";
+import { Saves } from "../saves.js";
 import { TakenText } from "../taken_text.js";
 import { problemToml } from "../toml.js";
 import { say } from "../words.js";
@@ -14,86 +14,50 @@ import { Zoom } from "../zoom.js";
 import { addressOfState, readState } from "./address.js";
 import { problemOfState } from "./chain.js";
 import { Desk } from "./desk.js";
-import { moveJoint } from "./edits.js";
 import { EXAMPLES } from "./examples.js";
+import { stateOfProblem } from "./given.js";
 import { Hand, stepOf } from "./hand.js";
-import { driveText, stateText } from "./lacks.js";
+import { stateText } from "./lacks.js";
 import { Lists } from "./lists.js";
 import { EMPTY, jointOf } from "./model.js";
 import { Analyst } from "./motion.js";
 import { Results } from "./results.js";
 import { BuildScene } from "./scene.js";
 import { seenSpot, snapTo, stepIn } from "./seen.js";
+import { Stage } from "./stage.js";
 import { Toolbar } from "./toolbar.js";
 
-const PACE = 90, ALONG = 3;   // degrees in a second; seconds along the way of a slider
+// What the kernel says of the state that was analysed last, {motion, range} or {faults}; what was refused last, and the address as the
+// page knows it.
+let analyst = null, answer = {}, analysed = null, refused = "", kept = location.href;
 
-// What the kernel says of the state that was analysed last, {motion, range} or {faults}; where the mechanism stands, and whether it
-// is held where it is drawn while a hand works; what was refused last, and the address as the page knows it.
-let analyst = null, answer = {}, analysed = null, drive = 0, isHeld = false, refused = "", kept = location.href;
-
-const opened = readState();
+const opened = readState(), given = givenState();
 const scene = new BuildScene(byId("picture"), say("build.picture"));
-const controls = new Controls(advance, (sense, large) => goTo(drive + sense * (large ? 10 : 1) * stepOfDrive(), true));
-const desk = new Desk(opened ?? EMPTY, { spot: (place, reach) => seenSpot(scene, desk.state, place, reach), snap: (place) => snapTo(place, scene.view), hold, show: follow, settle,
+const stage = new Stage(scene, { moved: () => hand.show(desk.state.joints.map(({ name, at }) => ({ name, at: scene.at.get(name) ?? at }))), reached: (drive) => results.move(drive) });
+const desk = new Desk(opened ?? given?.state ?? EMPTY, { spot: (place, reach) => seenSpot(scene, desk.state, place, reach), snap: (place) => snapTo(place, scene.view), hold: () => stage.hold(), show: follow, settle,
   preview: (from, to) => hand.preview(from, to, (spot) => scene.at.get(spot.joint)), pan: ([x, y]) => zoom.pan(x, y), refuse: (why) => { refused = say(`build.refused_${why}`); } });
 const hand = new Hand(byId("picture"), () => scene.view, { press: (...at) => desk.press(...at), move: (...at) => desk.move(...at), lift: (...at) => desk.lift(...at), put: (...at) => desk.click(...at), hover, cancel: () => desk.cancel(),
-  key: answerKey, focus: (name) => { if (desk.chosen?.joint !== name) desk.select({ joint: name }); } });
+  leave, carry: carryByKey, key: answerKey, focus: (name) => { if (desk.chosen?.joint !== name) desk.select({ joint: name }); } });
 const toolbar = new Toolbar(chooseTool);
 listenToKeys();
-const zoom = new Zoom(byId("stage"), byId("picture"), () => scene, draw, false);
+const zoom = new Zoom(byId("stage"), byId("picture"), () => scene, () => stage.draw(), false);
 const lists = new Lists({ state: () => desk.state, change: (next) => desk.change(next, desk.chosen, "field"), chosen: () => desk.chosen, select: (one) => desk.select(one) });
-const results = new Results({ goTo: (to) => goTo(to, true), tintOf: (link) => scene.tintOf(link) });
+const results = new Results({ goTo: (to) => stage.goTo(to, true), tintOf: (link) => scene.tintOf(link) });
 const taken = new TakenText(byId("takings"), [["build.copy_problem", toml, null], ["build.save_problem", toml, "mechanism"], ["sketch.copy_link", () => location.href, null]], say("sketch.file"));
 
+// The mechanism that the program has written into the page; null where the page cannot hold it, undefined where there is none.
+function givenState() {
+  const data = JSON.parse(embedded("data"));
+  return data.problem ? stateOfProblem(data) : undefined;
+}
+
+function note(words) {
+  byId("notes").hidden = false;
+  document.querySelector("#main > .side").after(byId("notes"));
+  byId("notes-list").append(element("li", { "data-note": words }, say(words)));
+}
+
 function toml() { return problemToml({ title: say("build.title_of_file"), ...problemOfState(desk.state, answer.range) }); }
-
-// Motion
-
-function advance(seconds) {
-  if (!answer.motion || isHeld) return;
-  const { from, to, round } = answer.motion.mechanism;
-  goTo(controls.player.next(drive, [from, to, round], seconds));
-}
-
-function stepOfDrive() {
-  const { isTurning, mechanism: { from, to } } = answer.motion ?? { isTurning: true, mechanism: {} };
-  return isTurning ? 1 : (to - from) / 360;
-}
-
-function goTo(to, byHand = false) {
-  if (byHand) { controls.play(false); isHeld = false; }
-  if (!answer.motion) return;
-  drive = answer.motion.mechanism.within(to);
-  move();
-  results.move(drive);
-  const { isTurning } = answer.motion, slider = byId("drive");
-  slider.value = drive;
-  slider.setAttribute("aria-valuetext", driveText(drive, isTurning, 0));
-  byId("drive-value").textContent = driveText(drive, isTurning, 1);
-}
-
-// All where it stands, or where it is drawn.
-function move() {
-  scene.move(isHeld || !answer.motion ? null : drive);
-  hand.show(desk.state.joints.map(({ name, at }) => ({ name, at: scene.at.get(name) ?? at })));
-}
-
-function hold() {
-  isHeld = true;
-  move();
-}
-
-// A cross that moves over the sheet finds things where they are drawn.
-function hover(place, reach, byKeys) {
-  if (byKeys && !isHeld) hold();
-  desk.hover(place, reach);
-}
-
-function draw() {
-  scene.build();
-  move();
-}
 
 // States
 
@@ -101,36 +65,28 @@ function draw() {
 function follow() {
   answer = analyst?.quick(desk.state) ?? {};
   analysed = null;
-  scene.take(desk.state, answer.motion ?? null, desk.chosen);
-  draw();
+  stage.take(desk, answer.motion);
   showText();
 }
 
 function settle() {
   const { state } = desk, isOther = state !== analysed;
-  isHeld = desk.pending !== null;
-  if (isOther) analyse(state);
-  scene.take(state, answer.motion ?? null, desk.chosen);
-  draw();
+  stage.isHeld = desk.pending !== null;
+  if (isOther) {
+    analysed = state;
+    answer = analyst?.whole(state) ?? {};
+    if (answer.motion) stage.begin(answer.motion);
+  }
+  stage.take(desk, answer.motion);
   if (isOther) showAnalysed(state); else if (refused) lists.show(state); else lists.mark();
   showText();
-}
-
-function analyse(state) {
-  analysed = state;
-  answer = analyst?.whole(state) ?? {};
-  if (!answer.motion) return;
-  const { mechanism: { from, to }, start, isTurning } = answer.motion;
-  drive = start;
-  set(byId("drive"), { min: from, max: to });
-  controls.player.pace = isTurning ? PACE : (to - from) / ALONG;
 }
 
 function showAnalysed(state) {
   lists.show(state);
   results.show(answer.motion ?? null, state);
-  if (answer.motion && scene.include(scene.reached)) draw();
-  goTo(drive);
+  if (answer.motion && scene.include(scene.reached)) stage.draw();
+  stage.goTo(stage.drive);
   const isEmpty = state.joints.length === 0;
   byId("begin").hidden = !isEmpty;
   byId("clear").disabled = isEmpty;
@@ -164,9 +120,24 @@ function openAddress() {
 
 // What a hand chooses
 
+// A cross that moves over the sheet finds things where they are drawn.
+function hover(place, reach, byKeys) {
+  if (byKeys && !stage.isHeld) stage.hold();
+  desk.hover(place, reach);
+}
+
 function chooseTool(tool) {
   toolbar.show(tool);
   desk.choose(tool);
+}
+
+function leave() { if (!desk.pending && !desk.from) stage.release(); }
+
+function carryByKey(event) {
+  const step = stepOf(event);
+  if (!step || !desk.chosen || desk.tool !== "move") return false;
+  desk.carry(step.map((x) => x * stepIn(scene.view)));
+  return true;
 }
 
 // Of a joint: arrows move it, Delete removes it, Enter does what a click of the tool does.
@@ -175,7 +146,8 @@ function answerKey(name, event) {
   if (event.key === "Delete" || event.key === "Backspace") { desk.remove({ joint: name }); hand.focus(desk.state.joints[0]?.name); return true; }
   if (event.key === "Enter" || event.key === " ") { desk.click(joint.at, 0, { joint: name }); return true; }
   if (!step) return false;
-  desk.change(moveJoint(desk.state, name, joint.at.map((x, k) => Number((x + step[k] * stepIn(scene.view)).toPrecision(9)))));
+  desk.chosen = { joint: name };
+  desk.carry(step.map((x) => x * stepIn(scene.view)));
   return true;
 }
 
@@ -193,20 +165,15 @@ function listen() {
   byId("undo").addEventListener("click", () => desk.step("undo"));
   byId("redo").addEventListener("click", () => desk.step("redo"));
   byId("clear").addEventListener("click", () => desk.change(EMPTY));
-  byId("drive").addEventListener("input", (event) => goTo(event.target.valueAsNumber, true));
+  byId("drive").addEventListener("input", (event) => stage.goTo(event.target.valueAsNumber, true));
   byId("examples").append(...Object.entries(EXAMPLES).map(([name, state]) => {
     const button = element("button", { type: "button", class: "chip", "data-example": name }, say(`build.example_${name}`));
     button.addEventListener("click", () => { chooseTool("move"); desk.change(state); });
     return button;
   }));
-  new ResizeObserver(draw).observe(byId("picture"));
-  new Saves(byId("stage"), byId("picture"), { title: () => "mechanism", go: (share) => filmAt(share), back: () => goTo(answer.motion?.start ?? 0) });
+  new ResizeObserver(() => stage.draw()).observe(byId("picture"));
+  new Saves(byId("stage"), byId("picture"), { title: () => "mechanism", go: (share) => stage.film(share), back: () => stage.goTo(stage.start) });
   addEventListener("hashchange", openAddress);
-}
-
-function filmAt(share) {
-  const { from, to, round } = answer.motion?.mechanism ?? {};
-  goTo(filmed([from, to, round], share), true);
 }
 
 // With the mechanism of the address, if any; of one that is damaged it is said again once the kernel is there.
@@ -220,22 +187,21 @@ byId("title").textContent = say("build.title");
 document.title = `${say("build.title")} – Cognate`;
 byId("summary").textContent = say("build.summary");
 byId("work").remove();
-if (!Kernel.available) {
-  byId("notes").hidden = false;
-  byId("notes-list").append(element("li", { id: "no-kernel" }, say("build.no_kernel")));
-}
+if (!Kernel.available) note("build.no_kernel");
+if (given === null) note("build.not_given"); else if (given && !given.isWhole) note("build.given_in_part");
 followTheme(() => results.redraw());
-scene.take(desk.state, null, null);
-scene.build();
+stage.take(desk, null);
 // On an empty sheet one begins with links.
 chooseTool(desk.state.links.length ? "move" : "link");
 listen();
 begin();
-controls.start();
+stage.controls.start();
 if (Kernel.available) {
   AnalysisKernel.load().then((kernel) => {
     analyst = new Analyst(kernel);
     analysed = null;
     begin();
+    scene.look();
+    stage.draw();
   });
 }

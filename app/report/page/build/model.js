@@ -16,7 +16,8 @@ export const linkOf = ({ links }, name) => links.find((link) => link.name === na
 export const sliderOf = ({ sliders }, name) => sliders.find((slider) => slider.name === name);
 export const jointsOn = ({ joints }, link) => joints.filter(({ of }) => of.includes(link));
 export const slidersOn = ({ sliders }, link) => sliders.filter(({ block, on }) => block === link || on === link);
-export const isBlock = ({ sliders }, link) => sliders.some(({ block }) => block === link);
+// Whether a link is nothing but the block of a slider on its pin.
+export const isBlock = (state, link) => state.sliders.some(({ block }) => block === link) && jointsOn(state, link).length === 1;
 export const isFixed = ({ of }) => of.includes(FRAME);
 
 // The pin at which a slider's block sits, and the direction in which it slides in the position drawn.

@@ -2,13 +2,14 @@
 
 import { AnalysisKernel } from "../edit/analysis_kernel.js";
 import { Mechanism } from "../mechanism.js";
+import { boxOf, diagonal } from "../view.js";
 import { say } from "../words.js";
 import { problemOfState } from "./chain.js";
 import { lackOf } from "./lacks.js";
 import { driverOf, FRAME } from "./model.js";
 
 const FULL = 360, NEAR = 1e-6;
-const FARTHEST = 240;   // mm to either side that the range of a driving slider is looked for
+const FARTHEST = 4;     // sizes of the mechanism to either side that the range of a driving slider is looked for
 const INSIDE = 1e-6;    // of the range within its limits: there rounding decides whether it closes
 
 const isOpen = ({ bodies }, k) => bodies.slice(1).some(({ x }) => (Array.isArray(x) ? x[k] : x) === null);
@@ -30,7 +31,7 @@ function placesAt({ bodies }, k) {
 const isSlid = (state) => state.sliders.some(({ block, on }) => on === FRAME && block === driverOf(state));
 
 // A mechanism in motion whose bodies are known by their names in the state.
-export class BuiltMotion {
+class BuiltMotion {
   constructor(data, drawn, sweep) {
     const { drive } = data.mechanism;
     Object.assign(this, { data, drawn, start: sweep.start });
@@ -80,7 +81,7 @@ export class Analyst {
   // The motion over a turn from the position drawn, or about it; `drawn` is the number of the sample at which it is drawn.
   #sweep(state) {
     if (lackOf(state)) return {};
-    const slides = isSlid(state), data = this.#motion(state, slides ? { start: -FARTHEST, end: FARTHEST } : null);
+    const slides = isSlid(state), data = this.#motion(state, slides ? wayOf(state) : null);
     return { data, slides, drawn: slides && !data.faults ? nearestToZero(data.mechanism.drive) : 0 };
   }
 
@@ -114,6 +115,11 @@ export class Analyst {
       return { faults: [say("edit.failed")] };
     }
   }
+}
+
+function wayOf({ joints }) {
+  const far = FARTHEST * Math.max(diagonal(boxOf(joints.map(({ at }) => at))), NEAR);
+  return { start: -far, end: far };
 }
 
 const nearestToZero = (list) => list.reduce((best, x, k) => (Math.abs(x) < Math.abs(list[best]) ? k : best), 0);

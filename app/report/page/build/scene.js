@@ -4,18 +4,21 @@ import { set, svg } from "../dom.js";
 import { number } from "../format.js";
 import { Picture } from "../picture.js";
 import { RADIANS } from "../sampling.js";
-import { arrowPath, barPath, blockPath, groundSign, guideSign, pathThrough, pathWithGaps, round } from "../shapes.js";
+import { arrowPath, groundSign, guideSign, pathWithGaps, round } from "../shapes.js";
+import { boxOf, diagonal, View } from "../view.js";
 import { say } from "../words.js";
-import { FORCE_SCALE, hullOf } from "./hits.js";
+import { FORCE_SCALE } from "./hits.js";
+import { linkShape, RIDER } from "./link_shapes.js";
 import { directionOf, driverOf, FRAME, isBlock, isFixed, jointsOn, pinOf } from "./model.js";
 import { after, before } from "./motion.js";
 import { BUILD_SHEET } from "./sheet.js";
 
-const RIDER = { length: 28, height: 16 };   // of a slider's block, in pixels
-const GRID = 10;
-const BAR_WIDTH = 6;
+const GRID_PIXELS = 16;   // between lines at least
 const TINTS = ["--coupler", "--rocker", "--link-b", "--link-c", "--link-d"];
 const STILL_MOVE = [0, 0, 1, 0];
+const FAR_AWAY = 3;   // sizes of the mechanism
+const RAIL_MOST = 2;  // widths of the picture
+const SMALL = 0.3, LARGE = 1.2;   // of the width of the sheet
 const NAME_AWAY = 18, BESIDE_GROUND = [22, 7], BEYOND_TIP = [30, 14];   // pixels
 
 export class BuildScene extends Picture {
@@ -46,8 +49,8 @@ export class BuildScene extends Picture {
     this.paths = new Map(this.state.joints.map((joint) => [joint.name, this.#pathOf(joint)]));
     this.#drawPaths();
     this.bodies = this.state.links.map((link) => this.#body(link));
-    this.layers.links.append(...this.bodies.filter(({ rider }) => !rider).map(({ part }) => part));
-    this.layers.riders.append(...this.bodies.filter(({ rider }) => rider).map(({ part }) => part));
+    this.layers.links.append(...this.bodies.filter(({ isRider }) => !isRider).map(({ part }) => part));
+    this.layers.riders.append(...this.bodies.filter(({ isRider }) => isRider).map(({ part }) => part));
     this.#pins();
     this.#loads();
     this.move(null);
@@ -55,7 +58,7 @@ export class BuildScene extends Picture {
 
   #grid() {
     const { view } = this, [left, top] = view.plane([0, 0]), [right, bottom] = view.plane([view.width, view.height]);
-    const step = GRID * 10 ** Math.max(0, Math.ceil(Math.log10(GRID / (GRID * view.scale))));
+    const step = 10 ** Math.ceil(Math.log10(GRID_PIXELS / view.scale));
     const lines = (from, to) => Array.from({ length: Math.floor(to / step) - Math.ceil(from / step) + 1 }, (_, i) => (Math.ceil(from / step) + i) * step);
     const across = lines(left, right).map((x) => `M${round(view.screen([x, 0])[0])} 0V${view.height}`);
     const down = lines(bottom, top).map((y) => `M0 ${round(view.screen([0, y])[1])}H${view.width}`);
@@ -77,20 +80,33 @@ export class BuildScene extends Picture {
   // The ends of the way of a slider's pin along its line, in the position drawn of what it slides on.
   #rail(slider) {
     const pin = pinOf(this.state, slider), angle = directionOf(this.state, slider) * RADIANS, way = [Math.cos(angle), Math.sin(angle)];
-    const least = 4 / this.view.scale, along = [-least, least];
+    const least = 4 / this.view.scale, most = RAIL_MOST * (this.view.width / this.view.scale), along = [-least, least];
     for (const moves of this.#sampled()) {
       const [block, on] = [slider.block, slider.on].map((name) => moves.get(name));
       if (!block || !on) continue;
       const p = before(on, after(block, pin.at));
       const t = (p[0] - pin.at[0]) * way[0] + (p[1] - pin.at[1]) * way[1];
-      along[0] = Math.min(along[0], t);
-      along[1] = Math.max(along[1], t);
+      along[0] = Math.max(-most, Math.min(along[0], t));
+      along[1] = Math.min(most, Math.max(along[1], t));
     }
     return along.map((t) => pin.at.map((x, k) => x + t * way[k]));
   }
 
-  // What the mechanism reaches: its joints, and their paths.
-  get reached() { return [...this.state.joints.map(({ at }) => at), ...[...this.paths.values()].flat().filter(Boolean)]; }
+  // Looks at a mechanism from near or far, where it is small on the sheet or goes beyond it.
+  look() {
+    const box = boxOf(this.reached), size = Math.max(box.x1 - box.x0, box.y1 - box.y0), { view } = this;
+    if (!(size > 0) || (size > SMALL * (BUILD_SHEET.x1 - BUILD_SHEET.x0) && size < LARGE * (BUILD_SHEET.x1 - BUILD_SHEET.x0) && Math.abs(box.x0 + box.x1) < size && Math.abs(box.y0 + box.y1) < size)) return;
+    const fitting = new View(box, view.width, view.height, view.margin);
+    Object.assign(this.camera, { factor: fitting.scale / view.whole.scale, shift: fitting.centre.map((x, k) => x - view.whole.centre[k]), widened: true });
+    this.build();
+  }
+
+  // What the mechanism reaches: its joints, and their paths but for what is far away, where a way has no end.
+  get reached() {
+    const joints = this.state.joints.map(({ at }) => at), box = boxOf(joints), far = FAR_AWAY * diagonal(box);
+    const isNear = (p) => p && Math.hypot(p[0] - (box.x0 + box.x1) / 2, p[1] - (box.y0 + box.y1) / 2) <= far;
+    return [...joints, ...[...this.paths.values()].flat().filter(isNear)];
+  }
 
   // The moves of all bodies at every sample of the motion.
   #sampled() {
@@ -112,32 +128,11 @@ export class BuildScene extends Picture {
     }
   }
 
-  // A link in pixels about its first joint.
   #body({ name }) {
-    const { state, view } = this, origin = jointsOn(state, name)[0]?.at ?? pinOf(state, state.sliders.find(({ on }) => on === name)).at;
-    const local = ([x, y]) => [view.scale * (x - origin[0]), view.scale * (origin[1] - y)];
-    const slider = state.sliders.find(({ block }) => block === name);
-    const parts = slider ? [this.#rider(directionOf(state, slider))] : this.#plate(hullOf(jointsOn(state, name).map(({ at }) => at)).map(local));
-    for (const rail of state.sliders.filter(({ on }) => on === name)) parts.push(...this.#slot(this.#rail(rail).map(local)));
-    const isChosen = this.chosen?.link === name;
-    const part = svg("g", { class: `build-link${isChosen ? " chosen" : ""}`, "data-link": name, style: `--tint:var(${this.tintOf(name)})` }, svg("title", {}, name), ...parts);
-    return { name, origin, part, rider: Boolean(slider) };
-  }
-
-  #rider(degrees) { return svg("path", { class: "block", d: blockPath(RIDER.length, RIDER.height), transform: `rotate(${round(-degrees)})` }); }
-
-  #plate(corners) {
-    if (corners.length > 2) {
-      const d = `${pathThrough(corners)}Z`;
-      return [svg("path", { class: "plate", d, style: `stroke-width:${2 * BAR_WIDTH}` }), svg("path", { class: "plate-edge", d })];
-    }
-    return corners.length === 2 ? [svg("path", { class: "link", d: barPath(corners[0], corners[1], BAR_WIDTH) })] : [];
-  }
-
-  #slot([p, q]) {
-    const length = Math.hypot(q[0] - p[0], q[1] - p[1]) || 1, over = RIDER.length / 2 + 3;
-    const ends = [[p, -1], [q, 1]].map(([end, side]) => end.map((x, k) => x + (side * over * (q[k] - p[k])) / length));
-    return [svg("path", { class: "link", d: barPath(...ends, RIDER.height / 2 + 1) }), svg("path", { class: "groove", d: barPath(...ends, RIDER.height / 2 - 3.5) })];
+    const { state, view } = this, classes = `build-link${this.chosen?.link === name ? " chosen" : ""}`;
+    const { origin, parts, isRider } = linkShape(state, name, view.scale, (slider) => this.#rail(slider));
+    const part = svg("g", { class: classes, "data-link": name, style: `--tint:var(${this.tintOf(name)})` }, svg("title", {}, name), ...parts);
+    return { name, origin, part, isRider };
   }
 
   #pins() {
