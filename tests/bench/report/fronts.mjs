@@ -2,8 +2,9 @@
 // search for designs before them in the same run, and their errors against those that the program finds within the same limits. Usage: node fronts.mjs BUILD [DRAWINGS]
 // BUILD: the folder of the build. The drawings are those of sketch.mjs; each front is searched for as the page does after its
 // searches for designs, and each of its points solved by the program with the starts of the file that the page saves.
+import { Candidate } from "../../../app/report/page/sketch/candidate.js";
 import { Front } from "../../../app/report/page/sketch/front.js";
-import { modeOf } from "../../../app/report/page/sketch/modes.js";
+import { Generator } from "../../../app/report/page/sketch/generator.js";
 import { problemOf, questionsOf } from "../../../app/report/page/sketch/question.js";
 import { byProgram, DRAWINGS, median, searchOf, timed } from "./searches.mjs";
 
@@ -13,7 +14,7 @@ const solve = await searchOf(build);
 
 function answered({ problem, known }, drawn) {
   const { value: { designs = [] }, seconds } = timed(() => solve(known.length ? { ...problem, known } : problem));
-  return { found: designs.map((entry) => modeOf(drawn).candidate(entry, drawn)), seconds };
+  return { found: designs.map((entry) => (drawn.ranges ? new Generator(entry, drawn) : new Candidate(entry))), seconds };
 }
 
 // The front of a drawing, and how long it takes until it stands and until it has ended.

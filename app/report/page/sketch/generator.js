@@ -4,7 +4,7 @@ import { RADIANS } from "../sampling.js";
 import { Closure } from "../study/closure.js";
 import { boxOf } from "../view.js";
 import { withoutNoise } from "./candidate.js";
-import { placeOf, STAGE } from "./diagram.js";
+import { placeOf, STAGE } from "./layout.js";
 
 const PLACES_OF_MOTION = 120;
 const WHOLE_TURN = 359.99;    // degrees of the input from which on the crank goes round

@@ -3,8 +3,8 @@
 import { number } from "../format.js";
 import { say } from "../words.js";
 import { Candidate } from "./candidate.js";
-import { placeOf } from "./diagram.js";
 import { Generator } from "./generator.js";
+import { placeOf } from "./layout.js";
 import { pairsOfStroke, withPair, withPairMoved } from "./pairs.js";
 import { directionOf } from "./posed.js";
 import { rounded, strokeTargets } from "./stroke.js";

@@ -1,6 +1,6 @@
 // Pairs [input, output] of a function in degrees, by rising input, as a hand changes them.
 
-import { isNear, sharesOf } from "./diagram.js";
+import { isNear, sharesOf } from "./layout.js";
 import { rounded, smoothed } from "./stroke.js";
 
 const COLUMNS = 240;          // of the diagram, in which a stroke leaves one value each
