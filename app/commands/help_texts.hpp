@@ -178,8 +178,9 @@ Examples:
 
 inline constexpr const char* kSketchFooter =
     R"(Output:
-  One page that needs no network: draw a curve with mouse, pen or finger, and
-  the page finds four-bar linkages that trace it and shows them in motion.
+  One page that needs no network: with mouse, pen or finger draw a curve, put
+  poses of a body, or draw or type a function of angles, and the page finds
+  four-bar linkages for it and shows them in motion.
   Limits, points and designs can be changed; problems and designs are saved as
   files for cognate. With --mechanism a page on which a mechanism is built by
   hand, of links, pivots, sliders and forces: it moves and is analysed at once.

@@ -22,6 +22,12 @@ export function couplerPose(bar, angle) {
   return { at: [b[0] + u * f[0] - v * f[1], b[1] + u * f[1] + v * f[0]], direction: Math.atan2(f[1], f[0]) };
 }
 
+// The direction of the rocker from D to C, the crank at `degrees`, in degrees; NaN where it does not close.
+export function rockerAngle(bar, degrees) {
+  const found = joints(bar, degrees * RADIANS);
+  return found ? Math.atan2(found.c[1] - bar.d[1], found.c[0] - bar.d[0]) / RADIANS : NaN;
+}
+
 // Of the joints B and C and of the coupler point the least distance from a box, negative within it, over a turn of the crank.
 export function clearanceOf(bar, [[x0, y0], [x1, y1]]) {
   const beyond = ([x, y]) => Math.max(x0 - x, x - x1, y0 - y, y - y1);

@@ -21,11 +21,15 @@ const DROP = Array.from({ length: 61 }, (_, i) => (i * Math.PI) / 30).map((t) =>
 // Poses likewise: where the body is, and whereto it points.
 const POSES = [[[0.22, 0.62], [0.3, 0.62]], [[0.33, 0.42], [0.4, 0.38]], [[0.52, 0.3], [0.56, 0.22]], [[0.7, 0.36], [0.7, 0.26]]];
 
+// A function likewise, through its diagram.
+const FUNCTION = Array.from({ length: 61 }, (_, i) => i / 60).map((t) => [0.16 + 0.367 * t, 0.645 - 0.6 * (0.04 + 0.92 * (1.25 * t - 0.25 * t * t * t))]);
+
 // `options` of the command. `draw`: strokes, in shares of the sheet, after a click on `begin`. `click`: a choice about the picture. `press`: the extra layers of the picture. `drive`: where the mechanism stands, in degrees or length. `show`: how far down the picture goes.
 const PICTURES = [
   { name: "sketch", command: "sketch", file: "sketch", draw: [DROP], drive: 150, show: "#stage" },
   { name: "sketch-front", command: "sketch", file: "sketch", draw: [DROP], only: "#front" },
   { name: "sketch-poses", command: "sketch", file: "sketch", begin: "#of-poses", draw: POSES, drive: 80, show: "#stage" },
+  { name: "sketch-function", command: "sketch", file: "sketch", begin: "#of-function", draw: [FUNCTION], drive: 105, show: "#stage" },
   { name: "build", command: "sketch", file: "mechanism", options: ["--mechanism"], begin: "[data-example=quick_return]", drive: 148, show: "#stage" },
   { name: "report", command: "solve", file: "path/ten-point-ellipse" },
   { name: "report-dark", command: "solve", file: "path/ten-point-ellipse", scheme: "dark" },

@@ -1,24 +1,11 @@
 // The search in the page of `cognate sketch` without a page. KERNEL: its module, as the page holds it.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { gunzipSync } from "node:zlib";
-import { encoded } from "../../app/report/page/encoded.js";
 import { Candidate } from "../../app/report/page/sketch/candidate.js";
 import { Front } from "../../app/report/page/sketch/front.js";
 import { problemOf } from "../../app/report/page/sketch/question.js";
 import { clearanceOf, couplerPose, leastTransmission } from "./closures.mjs";
-
-const { instance: { exports: calls } } = await WebAssembly.instantiate(gunzipSync(Buffer.from(readFileSync(process.env.KERNEL, "utf8"), "base64")));
-calls._initialize?.();
-
-function answer(question) {
-  const numbers = [], text = new TextEncoder().encode(encoded(question, numbers)), at = calls.room(text.length);
-  new Float64Array(calls.memory.buffer, calls.numbers(), numbers.length).set(numbers);
-  new Uint8Array(calls.memory.buffer, at, text.length).set(text);
-  const length = calls.sketch(1);
-  return JSON.parse(new TextDecoder().decode(new Uint8Array(calls.memory.buffer, calls.text(), length)));
-}
+import { answer } from "./sketch_kernel.mjs";
 
 const POSES = [[0, 0, 0], [10, 5, 20], [22, 8, 50], [30, 2, 80], [35, -8, 100], [36, -20, 140]];
 const state = (poses) => ({ class: "any", least: 30, reach: 3, region: null, points: poses.map(([x, y]) => [x, y]), angles: poses.map((pose) => pose[2]) });

@@ -33,11 +33,12 @@ export async function answered(command, text, ...options) {
   return JSON.parse(run.stdout);
 }
 
-// What the search answers, by the program.
+// What the search answers, by the program. Errors of functions are in degrees.
 async function programAnswer(problem) {
-  const result = await answered("solve", problemToml(problem));
-  return { designs: result.designs.map(({ mechanism, crank_deg: cranks, error, metrics }) => ({ mechanism, crank_deg: cranks, rms: error.rms, max: error.max,
-    class: metrics.class, transmission_acute_min_deg: metrics.transmission_angle_deg.acute_min, body_angle_deg: metrics.body_angle_in_link_deg, angle_max_deg: metrics.angle_error_max_deg })) };
+  const result = await answered("solve", problemToml(problem)), unit = problem.kind === "function-generation" ? 180 / Math.PI : 1;
+  return { designs: result.designs.map(({ mechanism, crank_deg: cranks, error, metrics }) => ({ mechanism, crank_deg: cranks, rms: unit * error.rms, max: unit * error.max,
+    class: metrics.class, transmission_acute_min_deg: metrics.transmission_angle_deg.acute_min, body_angle_deg: metrics.body_angle_in_link_deg, angle_max_deg: metrics.angle_error_max_deg,
+    input_start_deg: metrics.input_start_deg, output_start_deg: metrics.output_start_deg })) };
 }
 
 async function prepare(page) {

@@ -1,6 +1,6 @@
 // What random hands do to the page of `cognate sketch` in headless Chromium:
 //   BROWSER_PACKAGES=$PWD/build/release/tests/browser/npm node tests/stress/sketch_hands.mjs build/release/app/cognate [ACTIONS] [SEED]
-// Strokes, clicks, poses, drags, turns, keys, limits, points of the front, undoing: none waits for the one before. Every hundred the page must
+// Strokes, clicks, poses, typed functions, drags, turns, keys, limits, points of the front, undoing: none waits for the one before. Every hundred the page must
 // come to rest with designs or a sentence; messages of the console, and a page that does not answer, end the run with 1.
 import { drawnPoses, drawnStroke } from "../bench/report/drawings.mjs";
 import { act, hands, PATIENCE, through } from "./hands.mjs";
@@ -29,7 +29,18 @@ const DOES = {
     choice.selectedIndex = Math.floor(x * choice.options.length);
     choice.dispatchEvent(new Event("change", { bubbles: true }));
   }, share),
-  kind: (page) => page.evaluate((id) => document.getElementById(id).click(), pick(["of-curve", "of-poses"])),
+  kind: (page) => page.evaluate((id) => document.getElementById(id).click(), pick(["of-curve", "of-poses", "of-function"])),
+  typed: (page) => page.evaluate(([text, from, to]) => {
+    if (!document.getElementById("typed").checkVisibility()) return;
+    Object.entries({ expression: text, "domain-from": from, "domain-to": to }).forEach(([id, value]) => { document.getElementById(id).value = value; });
+    document.getElementById("plot").click();
+  }, [pick(["x", "x^2", "log10(x)", "sin(3*x)", "1/x", "sqrt(x", "abs(x - 1)", "0"]), pick([-1, 0, 1]), pick([1, 2])]),
+  range: (page) => page.evaluate(([id, value]) => {
+    const field = document.getElementById(id);
+    if (!field.checkVisibility()) return;
+    field.value = value;
+    field.dispatchEvent(new Event("change", { bubbles: true }));
+  }, [pick(["input-range", "output-range"]), pick(["60", "180", "-45", "360", "0", "", "500"])]),
   front: (page) => page.evaluate(([share, acts]) => {
     const points = [...document.querySelectorAll(".front-point")], one = points[Math.floor(share * points.length)];
     one?.focus();

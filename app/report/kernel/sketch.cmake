@@ -1,4 +1,4 @@
-# The searches for paths and guided bodies, for the page that one draws on.
+# The searches for paths, guided bodies and generators of functions, for the page that one draws on.
 set(COGNATE_SKETCH_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/sketch_kernel.base64")
 cognate_page_kernel(sketch_kernel
   analysis/batch/instruction_set.cpp
@@ -8,7 +8,11 @@ cognate_page_kernel(sketch_kernel
   analysis/mechanism/kinematics.cpp
   app/report/kernel/answer.cpp
   app/report/kernel/document.cpp
+  app/report/kernel/expressions.cpp
   app/report/kernel/format.cpp
+  app/report/kernel/formula.cpp
+  app/report/kernel/function_values.cpp
+  app/report/kernel/functions.cpp
   app/report/kernel/whole_numbers.cpp
   app/report/kernel/motions.cpp
   app/report/kernel/motions_left_out.cpp
@@ -16,6 +20,22 @@ cognate_page_kernel(sketch_kernel
   app/report/kernel/search_left_out.cpp
   app/report/kernel/sketch.cpp
   app/report/kernel/sketched.cpp
+  problems/function/dead_centre.cpp
+  problems/function/designs.cpp
+  problems/function/error_peaks.cpp
+  problems/function/explorer.cpp
+  problems/function/extreme_crank_angle.cpp
+  problems/function/found.cpp
+  problems/function/generator.cpp
+  problems/function/length_ranges.cpp
+  problems/function/model.cpp
+  problems/function/model_hessian.cpp
+  problems/function/samples.cpp
+  problems/function/screen.cpp
+  problems/function/search.cpp
+  problems/function/starts.cpp
+  problems/function/target/derivatives.cpp
+  problems/function/target/fast_places.cpp
   problems/guidance/closure.cpp
   problems/guidance/dead_station.cpp
   problems/guidance/design.cpp
@@ -52,6 +72,7 @@ cognate_page_kernel(sketch_kernel
   problems/linkage/names.cpp
   problems/linkage/read_constraints.cpp
   problems/linkage/read_linkage.cpp
+  problems/linkage/same_design.cpp
   problems/linkage/sector_extremes.cpp
   problems/linkage/similarity.cpp
   problems/linkage/verify.cpp
@@ -83,6 +104,10 @@ cognate_page_kernel(sketch_kernel
   problems/toml/table_reader_arrays.cpp
   problems/toml/table_writer.cpp
   synthesis/exact/binary_form.cpp
+  synthesis/exact/chebyshev.cpp
+  synthesis/exact/freudenstein.cpp
+  synthesis/exact/function/four_bar_function.cpp
+  synthesis/exact/function/precision_point.cpp
   synthesis/exact/motion/degenerate_poses.cpp
   synthesis/exact/motion/dyad.cpp
   synthesis/exact/motion/five_poses.cpp
@@ -97,9 +122,13 @@ cognate_page_kernel(sketch_kernel
   synthesis/fit/body_motion.cpp
   synthesis/fit/circle.cpp
   synthesis/fit/dyad_fit.cpp
+  synthesis/lanes/function_fit.cpp
+  synthesis/lanes/function_fit_kernel.cpp
   synthesis/lanes/path_fit.cpp
   synthesis/lanes/path_fit_kernel.cpp
   synthesis/lanes/path_screen.cpp
+  synthesis/exact/null_plane.cpp
+  synthesis/exact/polish.cpp
   synthesis/optimise/closure_hessian.cpp
   synthesis/optimise/gauss_newton.cpp
   synthesis/optimise/loss.cpp

@@ -9,6 +9,7 @@
 #include "app/report/kernel/document.hpp"
 #include "app/report/kernel/numbers.hpp"
 #include "app/report/kernel/sketched.hpp"
+#include "problems/function/problem.hpp"
 #include "problems/guidance/problem.hpp"
 #include "problems/path/problem.hpp"
 
@@ -25,8 +26,8 @@ std::string_view kind_of(const problems::reading::Table& document) {
 
 }  // namespace
 
-/// Solves the problem in the text and the block of numbers. The answer is `designs`, or
-/// `faults`, a list of sentences.
+/// Solves the problem in the text and the block of numbers. The answer is `designs`, or `values`
+/// of an expression, or `faults`, a list of sentences.
 COGNATE_EXPORT(sketch) int sketch_text(int seed) {
   const auto document = document_of(question());
   const SketchQuestion asked{document, static_cast<std::uint64_t>(seed)};
@@ -36,8 +37,14 @@ COGNATE_EXPORT(sketch) int sketch_text(int seed) {
   if (kind == KindTraits<problems::MotionProblem>::kWord) {
     return answer_with(sketched_motions(asked));
   }
+  if (kind == KindTraits<problems::FunctionProblem>::kWord) {
+    return answer_with(sketched_functions(asked));
+  }
+  if (kind == kFunctionValues) return answer_with(function_values(asked));
   problems::reading::FaultList faults;
-  faults.add({}, "kind is neither \"path-generation\" nor \"motion-generation\"");
+  faults.add({},
+             "kind is none of \"path-generation\", \"motion-generation\" and "
+             "\"function-generation\"");
   return answer_with(faults_json(std::move(faults)));
 }
 

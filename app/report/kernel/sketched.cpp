@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/guidance/design.hpp"
 
@@ -18,13 +19,23 @@ json pair(const Vec2d& point) {
 }
 
 json mechanism_of(const FourBar& linkage) {
-  return {{"type", "four-bar"},
-          {"fixed_pivots", {pair(linkage.pivot_a), pair(linkage.pivot_d)}},
-          {"crank", linkage.crank},
-          {"coupler", linkage.coupler},
-          {"rocker", linkage.rocker},
-          {"coupler_point", pair(*linkage.coupler_point)},
-          {"assembly", linkage.assembly == Assembly::open ? "open" : "crossed"}};
+  json mechanism{{"type", "four-bar"},
+                 {"fixed_pivots", {pair(linkage.pivot_a), pair(linkage.pivot_d)}},
+                 {"crank", linkage.crank},
+                 {"coupler", linkage.coupler},
+                 {"rocker", linkage.rocker}};
+  if (linkage.coupler_point) mechanism["coupler_point"] = pair(*linkage.coupler_point);
+  mechanism["assembly"] = linkage.assembly == Assembly::open ? "open" : "crossed";
+  return mechanism;
+}
+
+/// Of a generator of functions its start angles, and errors in degrees too.
+void add_starts(const problems::Metrics& metrics, json& entry) {
+  if (!metrics.input_start || !metrics.output_start) return;
+  entry["input_start_deg"] = problems::degrees(*metrics.input_start);
+  entry["output_start_deg"] = problems::degrees(*metrics.output_start);
+  for (const char* error : {"rms", "max"})
+    entry[error] = entry[error].get<double>() * kDegreesInRadian;
 }
 
 json entry_of(const Design& design) {
@@ -43,6 +54,7 @@ json entry_of(const Design& design) {
     entry["body_angle_deg"] = problems::degrees(*body);
     entry["angle_max_deg"] = problems::degrees(*turned);
   }
+  add_starts(metrics, entry);
   return entry;
 }
 

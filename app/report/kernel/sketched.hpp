@@ -40,10 +40,11 @@ nlohmann::ordered_json sketched(const std::vector<problems::Design>& designs);
 void require_target(problems::reading::TableReader& target, std::string_view key);
 
 /// The answer to a question. `read(tables, problem)` fills a problem from the tables and gives the
-/// number of its targets, `solve(problem, run)` gives designs.
-template <class Problem, class Read, class Solve>
+/// number of its targets, `solve(problem, run)` gives designs; `known(reader, targets)` are those
+/// that the search begins with.
+template <class Problem, class Read, class Solve, class Known = decltype(&read_known)>
 nlohmann::ordered_json answered(const SketchQuestion& question, const Read& read,
-                                const Solve& solve) {
+                                const Solve& solve, const Known& known = &read_known) {
   problems::reading::FaultList faults;
   problems::reading::TableReader reader(question.document, faults);
   reader.know({"kind"});
@@ -51,14 +52,20 @@ nlohmann::ordered_json answered(const SketchQuestion& question, const Read& read
   Problem problem;
   const std::size_t targets = read(tables, problem);
   tables.finish();
-  auto known = read_known(reader, targets);
+  auto begun = known(reader, targets);
   reader.finish();
   if (!faults.empty()) return faults_json(std::move(faults));
-  return sketched(solve(problem, run_of(question, std::move(known))));
+  return sketched(solve(problem, run_of(question, std::move(begun))));
 }
 
 /// The answers: `designs`, perhaps none, or `faults`, a list of sentences.
 nlohmann::ordered_json sketched_paths(const SketchQuestion& question);
 nlohmann::ordered_json sketched_motions(const SketchQuestion& question);
+nlohmann::ordered_json sketched_functions(const SketchQuestion& question);
+
+/// The word in the place of a problem's kind for a question that searches for nothing: `values`,
+/// those of an expression in x at equal steps over a domain, or `faults`.
+inline constexpr std::string_view kFunctionValues = "function-values";
+nlohmann::ordered_json function_values(const SketchQuestion& question);
 
 }  // namespace cognate::page

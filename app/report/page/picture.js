@@ -34,12 +34,12 @@ export class Picture {
   // The points of the plane whose ways are followed, where the drive is at `drive`.
   marksAt() { return []; }
 
-  // An empty picture of the part `box` of the plane; without one it says why there is none.
-  clear(box, why) {
+  // An empty picture of the part `box` of the plane, perhaps with a margin of so many pixels; without one it says why there is none.
+  clear(box, why, margin) {
     const [width, height] = [this.frame.clientWidth || 600, this.frame.clientHeight || 420];
     this.root.replaceChildren();
     for (const part of [this.root, this.front]) set(part, { viewBox: `0 0 ${width} ${height}` });
-    this.view = box ? new View(box, width, height) : null;
+    this.view = box ? new View(box, width, height, margin) : null;
     this.view?.look(this.camera);
     if (!box) this.root.append(svg("text", { x: width / 2, y: height / 2, class: "joint-name" }, why));
   }

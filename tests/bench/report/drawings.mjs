@@ -42,3 +42,10 @@ export function drawnPoses(i) {
     return [[x, y], [x + 0.05 * Math.cos(direction), y - 0.05 * Math.sin(direction)], [x + 0.08 * Math.cos(direction), y - 0.08 * Math.sin(direction)]];
   });
 }
+
+// A function drawn through its diagram, which lies on the left of the sheet.
+export function drawnFunctionStroke(i) {
+  const random = randomNumbers(362436069 + 7919 * i);
+  const [rise, bend, wave] = [0.3 + 0.4 * random(), random() - 0.5, 0.2 * (random() - 0.5)];
+  return [Array.from({ length: 60 }, (_, k) => k / 59).map((t) => [0.16 + 0.37 * t, 0.56 - 0.5 * (0.15 + rise * t + bend * t * (1 - t) + wave * Math.sin(5 * t))])];
+}

@@ -4,6 +4,7 @@
 // searches for designs, and each of its points solved by the program with the starts of the file that the page saves.
 import { Candidate } from "../../../app/report/page/sketch/candidate.js";
 import { Front } from "../../../app/report/page/sketch/front.js";
+import { Generator } from "../../../app/report/page/sketch/generator.js";
 import { problemOf, questionsOf } from "../../../app/report/page/sketch/question.js";
 import { byProgram, DRAWINGS, median, searchOf, timed } from "./searches.mjs";
 
@@ -11,21 +12,21 @@ const [build, drawings = "12"] = process.argv.slice(2);
 const NEAR = 1.01, FILE = { starts: 500, designs: 3 };
 const solve = await searchOf(build);
 
-function answered({ problem, known }) {
+function answered({ problem, known }, drawn) {
   const { value: { designs = [] }, seconds } = timed(() => solve(known.length ? { ...problem, known } : problem));
-  return { found: designs.map((entry) => new Candidate(entry)), seconds };
+  return { found: designs.map((entry) => (drawn.ranges ? new Generator(entry, drawn) : new Candidate(entry))), seconds };
 }
 
 // The front of a drawing, and how long it takes until it stands and until it has ended.
 function frontOf(drawn) {
   const front = new Front();
   front.follow(drawn);
-  const searches = questionsOf(drawn, []).map(answered);
+  const searches = questionsOf(drawn, []).map((question) => answered(question, drawn));
   for (const { found } of searches) front.add(found);
   const longest = searches.at(-1).seconds;
   let [first, all] = [0, 0];
   while (!front.ended) {
-    const { found, seconds } = answered(front.question);
+    const { found, seconds } = answered(front.question, drawn);
     if (!front.stands) first += seconds;
     all += seconds;
     front.take(found);

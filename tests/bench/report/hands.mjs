@@ -1,16 +1,16 @@
 // How the page of `cognate sketch` follows a hand in headless Chromium:
-//   BROWSER_PACKAGES=$PWD/build/release/tests/browser/npm node tests/bench/report/hands.mjs build/release/app/cognate [DRAWINGS]
-// Of random strokes and of poses: from the end of the drawing to the first designs, the time between frames until the
-// search ends, and from a step of a drag to the designs that follow it. Median, 95 % and worst; on a machine that does
+//   BROWSER_PACKAGES=$PWD/build/release/tests/browser/npm node tests/bench/report/hands.mjs build/release/app/cognate [DRAWINGS [KIND]]
+// Of random strokes, of poses and of functions: from the end of the drawing to the first designs, the time between frames until the
+// search ends, and from a step of a drag to the designs that follow it. KIND: strokes, poses or functions alone. Median, 95 % and worst; on a machine that does
 // other work besides only the first figure means something.
 import { execFileSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { launch, open } from "../../browser/browser.mjs";
-import { drawnPoses, drawnStroke } from "./drawings.mjs";
+import { drawnFunctionStroke, drawnPoses, drawnStroke } from "./drawings.mjs";
 
-const [program, drawings = "100"] = process.argv.slice(2);
+const [program, drawings = "100", only] = process.argv.slice(2);
 const DRAGS = 10;
 
 // In the page: when designs came last, and the times between frames while something is searched for.
@@ -73,7 +73,7 @@ const file = path.join(folder, "sketch.html");
 execFileSync(program, ["sketch", "--out", file]);
 const browser = await launch();
 console.log("| drawings | first designs, ms (median / 95 % / worst) | between frames while searching, ms | a step of a drag, ms |\n|---|---|---|---|");
-for (const [name, kind, drawing] of [["strokes", "#of-curve", drawnStroke], ["poses", "#of-poses", drawnPoses]]) {
+for (const [name, kind, drawing] of [["strokes", "#of-curve", drawnStroke], ["poses", "#of-poses", drawnPoses], ["functions", "#of-function", drawnFunctionStroke]].filter(([one]) => !only || one === only)) {
   const { page, faults, close } = await open(browser, file);
   await page.locator(kind).click();
   await page.evaluate(watch);

@@ -7,6 +7,7 @@ import { gunzipSync } from "node:zlib";
 import { encoded } from "../../../app/report/page/encoded.js";
 import { problemToml } from "../../../app/report/page/toml.js";
 import { harmonicStroke, randomNumbers } from "./drawings.mjs";
+import { drawnFunction } from "./functions.mjs";
 
 const POINTS = 24, SIZE = 100;
 const random = randomNumbers();
@@ -21,7 +22,9 @@ function poses(i) {
   return { ...state, points, angles: points.map(() => Math.round(direction += 60 * (random() - 0.3))) };
 }
 
-export const DRAWINGS = [["curves", curve], ["poses", poses]];
+const functions = (i) => drawnFunction(random, i, state);
+
+export const DRAWINGS = [["curves", curve], ["poses", poses], ["functions", functions]];
 
 // The search in the page of a build in the folder `build`.
 export async function searchOf(build) {
@@ -48,13 +51,14 @@ export function timed(work) {
   return { value, seconds: (user + system) / 1e6 };
 }
 
-// Error and seconds of the search of the program in `build`.
+// Error and seconds of the search of the program in `build`; that of functions is in degrees, as in the page.
 export function byProgram(build, problem) {
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), "cognate-sketch-")), file = path.join(folder, "sketch.toml");
   fs.writeFileSync(file, problemToml(problem));
   try {
     const result = JSON.parse(execFileSync(path.join(build, "app/cognate"), ["solve", "--json", "--threads", "1", file], { maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "ignore"] }));
-    return { error: result.designs[0].error.rms, seconds: result.work.seconds };
+    const unit = problem.kind === "function-generation" ? 180 / Math.PI : 1;
+    return { error: unit * result.designs[0].error.rms, seconds: result.work.seconds };
   } catch { return { error: Infinity, seconds: NaN }; } finally { fs.rmSync(folder, { recursive: true }); }
 }
 

@@ -1,18 +1,18 @@
 // How long a hand waits for linkages in the page of `cognate sketch`, and their errors against those that the program
-// finds by default. Usage: node sketch.mjs BUILD [DRAWINGS]
+// finds by default. Usage: node sketch.mjs BUILD [DRAWINGS [KIND]]
 // BUILD: the folder of the build. Strokes are random sums of three harmonics, half of them open, with the tremor of a
-// hand; poses, six to fifteen, lie on such with a direction that turns. Each is searched for as the page does, and solved
-// by the program on one thread.
+// hand; poses, six to fifteen, lie on such with a direction that turns; functions are sums of harmonics, and outputs of four-bars
+// with such a tremor. Each is searched for as the page does, and solved by the program on one thread. KIND: one of these alone.
 import { problemOf, startsOf } from "../../../app/report/page/sketch/question.js";
 import { byProgram, DRAWINGS, median, searchOf, timed } from "./searches.mjs";
 
-const [build, drawings = "100"] = process.argv.slice(2);
+const [build, drawings = "100", kind] = process.argv.slice(2);
 const NEAR = 1.01, DESIGNS = 8;
 
 const best = ({ designs = [] }) => Math.min(Infinity, ...designs.map(({ rms }) => rms));
 
 const solve = await searchOf(build);
-for (const [name, drawing] of DRAWINGS) {
+for (const [name, drawing] of DRAWINGS.filter(([one]) => !kind || one === kind)) {
   const rounds = startsOf(drawing(0)).map((starts) => ({ starts, seconds: [] }));
   const ratios = [], firsts = [], shares = [];
   for (let i = 0; i < Number(drawings); i += 1) {

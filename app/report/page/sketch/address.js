@@ -1,8 +1,11 @@
-// The sketch and a design of it at the end of the address: #p=x,y;x,y&…, each part by a letter; a pose is x,y,degrees.
+// The sketch and a design of it at the end of the address: #p=x,y;x,y&…, each part by a letter; a pose is x,y,degrees; where there
+// are ranges of a function a point is a pair of its angles.
 
 import { LANGUAGES } from "../words.js";
 import { withoutRounding } from "../rounding.js";
 import { turnsFully } from "./boxes.js";
+import { generatorOf, generatorText } from "./generator_text.js";
+import { areSound } from "./pairs.js";
 import { inTurn } from "./posed.js";
 
 const numbersOf = (text) => text.split(",").map(Number);
@@ -25,7 +28,7 @@ function designOf(text) {
   return isSound && ["open", "crossed"].includes(assembly) && /^[a-z-]+$/.test(name) ? entry : null;
 }
 
-// Whether a design is one for as many targets, of the same kind.
+// Whether a design is one for as many targets, of the same kind; generators are for any pairs.
 const isFor = ({ points, angles }, { crank_deg: cranks, body_angle_deg: body }) => cranks.length === points.length && (body === undefined) === (angles === null);
 
 // A box in the address, by a letter.
@@ -37,10 +40,10 @@ function boxIn(text = "") {
 }
 
 // What stands behind the # for a state and, perhaps, the entry of a design.
-export function addressOf({ points, angles, closed, stroke, class: asked, least, reach, region, obstacle }, entry) {
+export function addressOf({ points, angles, ranges, closed, stroke, class: asked, least, reach, region, obstacle }, entry) {
   const parts = [...location.hash.slice(1).split("&").filter((part) => LANGUAGES.includes(part)), `p=${points.map((p, i) => [...p, ...(angles ? [angles[i]] : [])].join(",")).join(";")}`,
-    `o=${[closed ? "closed" : "open", stroke ? "stroke" : "points"].join(",")}`, `l=${[asked, least, reach].join(",")}`, ...boxPart("b", region), ...boxPart("c", obstacle)];
-  return `#${[...parts, ...(entry ? [`d=${designText(entry)}`] : [])].join("&")}`;
+    `o=${[closed ? "closed" : "open", stroke ? "stroke" : "points"].join(",")}`, `l=${[asked, least, reach].join(",")}`, ...(ranges ? [`f=${ranges.join(",")}`] : []), ...boxPart("b", region), ...boxPart("c", obstacle)];
+  return `#${[...parts, ...(entry ? [`d=${ranges ? generatorText(entry) : designText(entry)}`] : [])].join("&")}`;
 }
 
 // {state, entry} of the address; null where it holds no sketch.
@@ -52,9 +55,11 @@ export function readAddress(classes) {
   const [asked, least, reach] = (parts.l ?? "").split(",");
   const [line, drawn] = (parts.o ?? "").split(",");
   if (![2, 3].includes(width) || !rows.every((row) => row.length === width && areFinite(row))) return null;
+  const ranges = parts.f ? numbersOf(parts.f) : null;
+  if (ranges && !(width === 2 && ranges.length === 2 && areFinite(ranges) && areSound(rows, ranges))) return null;
   const region = boxIn(parts.b), held = boxIn(parts.c), isArea = held && held[0].every((x, k) => x < held[1][k]);
-  const state = { region, obstacle: isArea && turnsFully({ class: asked }) ? held : null, points: rows.map((row) => row.slice(0, 2)), angles: width === 3 ? rows.map((row) => inTurn(row[2])) : null, closed: line === "closed", stroke: drawn === "stroke", ...(classes.includes(asked) ? { class: asked } : {}),
+  const state = { ranges, region: ranges ? null : region, obstacle: isArea && !ranges && turnsFully({ class: asked }) ? held : null, points: rows.map((row) => row.slice(0, 2)), angles: width === 3 ? rows.map((row) => inTurn(row[2])) : null, closed: line === "closed", stroke: drawn === "stroke", ...(classes.includes(asked) ? { class: asked } : {}),
     ...(Number.isFinite(Number(least)) && least ? { least: Number(least) } : {}), ...(Number(reach) > 0 ? { reach: Number(reach) } : {}) };
-  const entry = parts.d ? designOf(parts.d) : null;
-  return { state, entry: entry && isFor(state, entry) ? entry : null };
+  const entry = parts.d ? (ranges ? generatorOf : designOf)(parts.d, rows) : null;
+  return { state, entry: entry && (ranges || isFor(state, entry)) ? entry : null };
 }

@@ -46,7 +46,9 @@ export class Boxes {
     if (parts) this.on.change(parts); else this.on.resume();
   }
 
+  // Functions have no such limits.
   show() {
+    if (this.on.state().ranges) this.surface.boxes = null;
     for (const [name, { put, away }] of Object.entries(BOX_WORDS)) {
       byId(name).textContent = say(this.on.state()[name] ? away : put);
       byId(name).setAttribute("aria-pressed", String(this.surface.boxes === name));

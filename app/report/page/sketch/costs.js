@@ -3,7 +3,7 @@
 import { byId } from "../dom.js";
 import { say } from "../words.js";
 import { rmsText } from "./cards.js";
-import { drawingSize, questionFor } from "./question.js";
+import { questionFor } from "./question.js";
 
 const ANY_REACH = 10;
 const MATTERS = 0.9;   // of the error within all limits: what is not below that is no gain
@@ -23,7 +23,7 @@ export const costQuestions = (state) => Object.entries(LIMITS).filter(([, { hold
 // Says what the answer to one of them tells. `error`: the least within all limits.
 export function showCost({ designs = [] }, { limit }, state, error) {
   const without = Math.min(...designs.map(({ rms }) => rms));
-  byId(`cost-of-${limit}`).textContent = without < MATTERS * error ? say("sketch.cost", { error: rmsText(without, drawingSize(state)) }) : "";
+  byId(`cost-of-${limit}`).textContent = without < MATTERS * error ? say("sketch.cost", { error: rmsText(without, state) }) : "";
 }
 
 export function clearCosts() { for (const limit of Object.keys(LIMITS)) byId(`cost-of-${limit}`).textContent = ""; }

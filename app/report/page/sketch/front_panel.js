@@ -29,7 +29,7 @@ export class FrontPanel {
     const points = this.state && this.front.stands ? this.front.points : [], isPlotted = points.length > 1;
     byId("front-plot").hidden = byId("front-reading").hidden = !isPlotted;
     byId("front-note").textContent = isPlotted ? say(this.front.ended ? "sketch.front_hint" : "sketch.front_going_on") : this.#without(points);
-    this.plot.show({ points: isPlotted ? points : [], chosen: isPlotted && chosen ? this.front.pointOf(chosen) : null, least: this.state?.least });
+    this.plot.show({ points: isPlotted ? points : [], chosen: isPlotted && chosen ? this.front.pointOf(chosen) : null, least: this.state?.least, axis: this.state?.ranges ? "sketch.front_error_deg" : "sketch.front_error" });
     this.#read(this.plot.hinted);
   }
 
@@ -40,7 +40,7 @@ export class FrontPanel {
     return say("sketch.front_one", { angle: degrees(only.angle, 1), error: this.#errorOf(only), least: degrees(only.level, 0) });
   }
 
-  #errorOf({ error }) { return rmsText(error, this.front.size); }
+  #errorOf({ error }) { return rmsText(error, this.front.state); }
 
   #textOf(point) {
     return say("sketch.front_point", { angle: degrees(point.angle, 1), error: this.#errorOf(point), class: sentence(term(point.candidate.entry.class)) });

@@ -24,7 +24,7 @@ export class FrontPlot {
     new ResizeObserver(() => this.#draw()).observe(this.holder);
   }
 
-  // `points`; the design `chosen` and `least`, the present bound; both may be none.
+  // `points`; the design `chosen` and `least`, the present bound; both may be none; the text `axis` of the errors.
   show(front) {
     this.front = front;
     this.#draw();
@@ -61,7 +61,7 @@ export class FrontPlot {
     const across = x.ticks.flatMap((v) => [grid(`M${round(x.to(v))} ${FRAME.top}V${bottom}`), text("tick", { x: round(x.to(v)), y: bottom + 15 }, "middle", `${v}°`)]);
     const upwards = y.ticks.flatMap((v) => [grid(`M${FRAME.left} ${round(y.to(v))}H${right}`), text("tick", { x: FRAME.left - 6, y: round(y.to(v)) + 4 }, "end", number(v, 4))]);
     return [...across, ...upwards, text("axis", { x: (FRAME.left + right) / 2, y: HEIGHT - 6 }, "middle", say("sketch.transmission")),
-      text("axis", { transform: `translate(12 ${(bottom + FRAME.top) / 2}) rotate(-90)` }, "middle", say("sketch.front_error"))];
+      text("axis", { transform: `translate(12 ${(bottom + FRAME.top) / 2}) rotate(-90)` }, "middle", say(this.front.axis))];
   }
 
   #circle(point, [cx, cy]) {

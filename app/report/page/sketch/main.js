@@ -1,4 +1,4 @@
-// The page of a sketch: a curve or poses that a hand draws, and the linkages that trace it or guide a body through them.
+// The page of a sketch: a curve, poses or a function that a hand draws, and the linkages for them.
 
 import { followTheme } from "../appearance.js";
 import { Controls } from "../controls.js";
@@ -14,20 +14,22 @@ import { Zoom } from "../zoom.js";
 import { addressOf, readAddress } from "./address.js";
 import { Boxes, withClass } from "./boxes.js";
 import { Bringings } from "./bringings.js";
-import { Candidate, differing, nearestTo, withoutNoise } from "./candidate.js";
+import { differing, nearestTo, withoutNoise } from "./candidate.js";
 import { Cards } from "./cards.js";
 import { clearCosts, costQuestions, showCost } from "./costs.js";
 import { FrontPanel } from "./front_panel.js";
-import { directionOf } from "./posed.js";
-import { CLASSES_ASKED, fewestTargets, liveQuestion, questionsOf, drawingSize } from "./question.js";
+import { modeOf, MODES } from "./modes.js";
+import { CLASSES_ASKED, liveQuestion, questionsOf, drawingSize } from "./question.js";
 import { SketchScene } from "./scene.js";
 import { Search } from "./search.js";
-import { rounded, strokeTargets } from "./stroke.js";
+import { strokeTargets } from "./stroke.js";
 import { Surface } from "./surface.js";
 import { Takings } from "./takings.js";
+import { Typed } from "./typed.js";
 
-// `angles`: null of a curve; of poses one for each point, in degrees.
-const EMPTY = { points: [], angles: null, closed: false, stroke: false, class: "any", least: 30, reach: 3, region: null, obstacle: null };
+// `angles`: of poses one for each point, in degrees, else null; `ranges`: of a function, whose points are pairs of angles, those of
+// input and output in degrees, else null.
+const EMPTY = { ...MODES.curve.empty({}), class: "any", least: 30, reach: 3, region: null, obstacle: null };
 const SHOWN = 3;
 
 const scene = new SketchScene(byId("picture"), say("sketch.picture"));
@@ -38,8 +40,10 @@ const cards = new Cards((i) => choose(i));
 const takings = new Takings(() => ({ state: shown, candidate: scene.candidates[scene.chosen] }));
 const panel = new FrontPanel({ point: lookAt, take: takePoint });
 const search = Kernel.available ? new Search(take, (text) => announce(say("sketch.failed", { text }))) : null;
-const surface = new Surface(byId("picture"), () => scene.view, { begin: () => search?.cancel(), resume: () => solve(), box: (p, q) => boxes.put(p, q), stroke, click, drag, turn, drop, remove });
+const surface = new Surface(byId("picture"), () => scene.view, { begin: () => search?.cancel(), resume: () => solve(), box: (p, q) => boxes.put(p, q), stroke: (line) => put(modeOf(shown).stroke(shown, line)),
+  click: (place, i) => put(modeOf(shown).click(shown, place, i)), drag: (i, place) => follow(modeOf(shown).moved(shown, i, place)), turn: (i, degrees) => follow({ angles: shown.angles.with(i, degrees) }), drop, remove });
 const boxes = new Boxes(surface, { state: () => shown, change, announce: (text) => announce(text), resume: () => solve() });
+const typed = new Typed({ state: () => shown, change, ask: (question) => search?.ask([question]), announce: (text) => announce(text) });
 const read = readAddress(CLASSES_ASKED);
 let steps = new History({ ...EMPTY, ...read?.state });
 // The state shown, which a drag has changed and the history does not hold yet; the design that stays chosen.
@@ -50,7 +54,7 @@ let kept = location.href;
 let dragged = null;
 
 const announce = (text) => { byId("state").textContent = text; };
-const isEnough = () => shown.points.length >= fewestTargets(shown.angles);
+const isEnough = () => shown.points.length >= modeOf(shown).fewest;
 
 function goTo(degreesOfMotion, byHand = false) {
   if (byHand) controls.play(false);
@@ -66,7 +70,7 @@ function goTo(degreesOfMotion, byHand = false) {
 function offer(candidates, chosen) {
   Object.assign(scene, { candidates, chosen });
   draw();
-  cards.show(candidates, chosen, drawingSize(shown));
+  cards.show(candidates, chosen, shown);
   panel.show(candidates[chosen]);
   followTakings();
 }
@@ -90,8 +94,9 @@ function lookAt(candidate) {
 
 // An answer of the search.
 function take(answer, question) {
+  if (question.typed) { typed.take(answer); return; }
   if (question.limit) { showCost(answer, question, shown, leastError()); return; }
-  const found = (answer.designs ?? []).map((entry) => new Candidate(entry));
+  const found = (answer.designs ?? []).map((entry) => modeOf(shown).candidate(entry, shown));
   if (question.front) takeOfFront(found); else takeFound(answer, found, question);
 }
 
@@ -163,24 +168,25 @@ function settle() {
 
 function askForMore() {
   offer([], 0);
-  announce(shown.points.length ? say(shown.angles ? "sketch.more_poses" : "sketch.more_points", { least: fewestTargets(shown.angles) }) : "");
+  const { more, fewest } = modeOf(shown);
+  announce(shown.points.length ? say(more, { least: fewest }) : "");
 }
 
 function showState() {
-  const { points, angles, closed, class: asked, least, reach } = shown;
+  const { points, ranges, closed, class: asked, least, reach } = shown, mode = modeOf(shown);
   byId("undo").disabled = !steps.canUndo;
   byId("redo").disabled = !steps.canRedo;
   byId("clear").disabled = points.length === 0;
   byId("closed").setAttribute("aria-pressed", String(closed));
-  byId("closed").hidden = angles !== null;
-  byId("of-curve").setAttribute("aria-pressed", String(!angles));
-  byId("of-poses").setAttribute("aria-pressed", String(Boolean(angles)));
+  document.body.dataset.drawing = mode.name;
+  for (const name of Object.keys(MODES)) byId(`of-${name}`).setAttribute("aria-pressed", String(name === mode.name));
   byId("hint").hidden = points.length > 0;
-  byId("hint").textContent = say(angles ? "sketch.hint_of_poses" : "sketch.hint");
+  byId("hint").textContent = say(mode.hint);
   byId("class").value = asked;
   byId("least").value = least;
   byId("reach").value = reach;
   showLimits(least, reach);
+  typed.show(ranges);
   boxes.show();
   showTargets();
   followTakings();
@@ -188,12 +194,17 @@ function showState() {
 
 function showTargets() {
   scene.target(shown);
-  surface.show(shown.points, shown.angles);
+  showHandles();
+}
+
+function showHandles() {
+  const { places, label } = modeOf(shown);
+  surface.show(places(shown), shown.angles, (i) => label(shown, i));
 }
 
 function showLimits(least, reach) {
   byId("least-value").textContent = degrees(least, 0);
-  byId("reach-value").textContent = say("sketch.times", { value: number(reach) });
+  byId("reach-value").textContent = say(modeOf(shown).times, { value: number(reach) });
 }
 
 // Not over an address that another hand has put there and that is about to be opened.
@@ -206,30 +217,13 @@ function keepAddress() {
 
 function draw() {
   scene.build();
-  surface.show(shown.points, shown.angles);
+  showHandles();
 }
 
 // What a hand does
 
-const addPose = (place, degrees) => change({ points: [...shown.points, rounded(place)], angles: [...shown.angles, degrees] });
-
-// A curve; or a pose at the start of the stroke, in the direction of its end.
-function stroke(line) {
-  if (shown.angles) addPose(line[0], directionOf(line[0], line.at(-1)));
-  else change({ ...strokeTargets(line), stroke: true });
-}
-
-// A click puts a pose in the direction of the last; or a point behind the others, on the first of them it closes the curve;
-// after a stroke it begins anew.
-function click(place, i) {
-  const { points, angles, stroke: drawn, closed } = shown;
-  if (angles) { if (i === undefined) addPose(place, angles.at(-1) ?? 0); return; }
-  if (i === undefined) change({ points: drawn ? [rounded(place)] : [...points, rounded(place)], stroke: false, closed: drawn ? false : closed });
-  else if (i === 0 && !drawn && isEnough()) change({ closed: !closed });
-}
-
-function drag(i, place) { follow({ points: shown.points.with(i, rounded(place)) }); }
-function turn(i, degrees) { follow({ angles: shown.angles.with(i, degrees) }); }
+// Takes what a stroke or a click changes; null where that is nothing.
+function put(parts) { if (parts) change(parts); else solve(); }
 
 // While a hand changes targets nothing that was chosen for the former ones stays.
 function follow(targets) {
@@ -246,7 +240,7 @@ function drop() {
 }
 
 function remove(i) {
-  change({ points: shown.points.toSpliced(i, 1), angles: shown.angles?.toSpliced(i, 1) ?? null });
+  change(modeOf(shown).removed(shown, i));
   (surface.handles[Math.min(i, surface.handles.length - 1)] ?? surface.area).focus();
 }
 
@@ -255,21 +249,20 @@ function step(sense) {
   settle();
 }
 
-const clear = () => change({ points: [], angles: shown.angles && [], closed: false, stroke: false });
-const toggleClosed = () => { if (!shown.angles) change({ closed: !shown.closed }); };
+const clear = () => change(modeOf(shown).empty(shown));
+const toggleClosed = () => { if (modeOf(shown) === MODES.curve) change({ closed: !shown.closed }); };
 
 const limits = () => ({ class: shown.class, least: shown.least, reach: shown.reach, region: shown.region, obstacle: shown.obstacle });
 
-// What is drawn from now on; what there was of the other kind goes.
-function drawPoses(poses) { if (poses !== Boolean(shown.angles)) change({ ...EMPTY, ...limits(), angles: poses ? [] : null }); }
+// What is drawn from now on; what there was of another kind goes.
+function drawAnother(mode) { if (mode !== modeOf(shown)) change({ ...limits(), ...mode.empty({}) }); }
 
 function listen() {
   byId("undo").addEventListener("click", () => step("undo"));
   byId("redo").addEventListener("click", () => step("redo"));
   byId("clear").addEventListener("click", clear);
   byId("closed").addEventListener("click", toggleClosed);
-  byId("of-curve").addEventListener("click", () => drawPoses(false));
-  byId("of-poses").addEventListener("click", () => drawPoses(true));
+  for (const [name, mode] of Object.entries(MODES)) byId(`of-${name}`).addEventListener("click", () => drawAnother(mode));
   byId("class").append(...CLASSES_ASKED.map((name) => element("option", { value: name }, name === "any" ? say("sketch.any_class") : sentence(term(name)))));
   byId("class").addEventListener("change", (event) => change(withClass(event.target.value)));
   for (const id of ["least", "reach"]) {
@@ -292,7 +285,7 @@ function listenToKeys() {
   shortcut(["x"], "x", "sketch.clear_all", clear);
   shortcut(["r"], "r", "sketch.region", () => boxes.toggle("region"));
   shortcut(["o"], "o", "sketch.obstacle", () => boxes.toggle("obstacle"));
-  shortcut(["p"], "p", "sketch.curve_or_poses", () => drawPoses(!shown.angles));
+  shortcut(["p"], "p", "sketch.another_kind", () => drawAnother(modeOf(shown).next()));
   shortcut(["1", "2", "3"], "1 2 3", "sketch.choose", (event) => choose(Number(event.key) - 1));
   shortcut(["Enter"], "Enter", "sketch.put");
   shortcut(["Delete"], "Delete", "sketch.remove");
@@ -310,7 +303,7 @@ function openAddress() {
 
 // Begins with the design of the address, if any.
 function open(entry) {
-  const first = entry ? new Candidate(entry) : null;
+  const first = entry ? modeOf(steps.present).candidate(entry, steps.present) : null;
   hold(first?.poses.length ? first : null);
 }
 
@@ -333,6 +326,7 @@ document.title = `${say("sketch.title")} – Cognate`;
 byId("summary").textContent = say("sketch.summary");
 byId("work").remove();
 if (!search) {
+  byId("plot").disabled = true;
   byId("notes").hidden = false;
   byId("notes-list").append(element("li", { id: "no-kernel" }, say("sketch.no_kernel")));
 }

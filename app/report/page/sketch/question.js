@@ -3,7 +3,6 @@
 import { boxOf, diagonal } from "../view.js";
 
 export const CLASSES_ASKED = ["any", "crank-rocker", "double-crank", "double-rocker", "triple-rocker"];
-export const fewestTargets = (angles) => (angles ? 2 : 3);
 
 const PIVOTS_WITHIN = 1.5;   // of the drawing's size, from its middle
 const SHORTEST = 0.02;
@@ -15,14 +14,19 @@ const KEPT_CLEAR = ["coupler-point", "B", "C"];
 
 // Starts of the searches that follow one another. Fewer are mostly enough for poses, since more is made of each; limits over the
 // whole turn take ten times as long.
-export const startsOf = ({ angles, obstacle }) => (obstacle ? [15, 60, 250] : [...(angles ? [15] : []), 60, 500, 2500]);
+export function startsOf({ angles, ranges, obstacle }) {
+  if (ranges) return [16, 128, 512];
+  return obstacle ? [15, 60, 250] : [...(angles ? [15] : []), 60, 500, 2500];
+}
+
 const middleOf = (state) => startsOf(state).at(-2);
 // Those of a search while a hand drags, and the designs that it begins with: curves take longer.
 const besideKnown = ({ angles }) => (angles ? 4 : 1);
-const mostKnown = ({ angles }) => (angles ? 6 : 4);
+const mostKnown = ({ angles, ranges }) => (angles || ranges ? 6 : 4);
 const FOUND = 8;             // designs of a search, of which those are shown that differ
 
-export const drawingSize = ({ points, angles }) => Math.max(angles ? LEAST_SIZE : 0, diagonal(boxOf(points)));
+// Of a function the range of its output, in degrees.
+export const drawingSize = ({ points, angles, ranges }) => (ranges ? Math.abs(ranges[1]) : Math.max(angles ? LEAST_SIZE : 0, diagonal(boxOf(points))));
 
 export const short = (x) => Number(x.toPrecision(4));
 
@@ -35,11 +39,16 @@ function pivotsWithin({ points, region, reach }, size) {
   return [[short(x - far), short(y - far)], [short(x + far), short(y + far)]];
 }
 
+// Those of every kind of drawing.
+const commonLimits = ({ class: asked, least }) => ({ ...(asked === "any" ? {} : { class: asked }), ...(least > 0 ? { transmission_angle_deg: [least, 180 - least] } : {}) });
+
+// Links of a generator are as long as one likes: the limit is on the longest by the shortest.
 function limitsOf(state) {
-  const { class: asked, least, reach, obstacle } = state, size = drawingSize(state), within = pivotsWithin(state, size);
+  const { ranges, reach, obstacle } = state;
+  if (ranges) return { constraints: { ...commonLimits(state), link_ratio_max: reach } };
+  const size = drawingSize(state), within = pivotsWithin(state, size);
   return { bounds: { length: [short(SHORTEST * size), short(reach * size)], pivot_a: within, pivot_d: within },
-    constraints: { ...(asked === "any" ? {} : { class: asked }), ...(least > 0 ? { transmission_angle_deg: [least, 180 - least] } : {}),
-      ...(obstacle ? { clearance: KEPT_CLEAR.map((point) => ({ point, outside: obstacle })) } : {}) } };
+    constraints: { ...commonLimits(state), ...(obstacle ? { clearance: KEPT_CLEAR.map((point) => ({ point, outside: obstacle })) } : {}) } };
 }
 
 // What a radian counts beside lengths: the root mean squared distance from the middle, as in a file that does not say, but
@@ -56,18 +65,27 @@ const guiding = (points, angles) => ({ kind: "motion-generation",
 
 const tracing = (points) => ({ kind: "path-generation", target: { points, timing: "free", order: "cyclic" } });
 
-// The problem of a sketch: its points or poses, and the limits set beside it.
-export function problemOf(state, solve) {
-  const { points, angles } = state;
-  return { ...(angles ? guiding(points, angles) : tracing(points)), ...limitsOf(state), solve };
+const generating = (pairs) => ({ kind: "function-generation", target: { pairs_deg: pairs } });
+
+function targetsOf({ points, angles, ranges }) {
+  if (ranges) return generating(points);
+  return angles ? guiding(points, angles) : tracing(points);
 }
 
-// A design as the search takes it up: see read_known in the kernel.
-const asKnown = ({ entry: { mechanism: m, crank_deg: cranks, body_angle_deg: body = 0 } }) =>
-  [...m.fixed_pivots.flat(), m.crank, m.coupler, m.rocker, ...m.coupler_point, m.assembly === "open" ? 1 : 0, body, ...cranks];
+// The problem of a sketch: its points, poses or pairs, and the limits set beside it.
+export const problemOf = (state, solve) => ({ ...targetsOf(state), ...limitsOf(state), solve });
 
-// The designs shown that were found for as many targets.
-const knownOf = ({ points }, candidates) => candidates.filter(({ entry }) => entry.crank_deg.length === points.length).map(asKnown);
+// A design as the search takes it up: see read_known and read_generators in the kernel.
+const asKnown = ({ mechanism: m, crank_deg: cranks, body_angle_deg: body = 0 }) =>
+  [...m.fixed_pivots.flat(), m.crank, m.coupler, m.rocker, ...m.coupler_point, m.assembly === "open" ? 1 : 0, body, ...cranks];
+const asKnownGenerator = ({ mechanism: m, input_start_deg: input, output_start_deg: output }) =>
+  [m.crank, m.coupler, m.rocker, Math.hypot(...m.fixed_pivots[1].map((x, k) => x - m.fixed_pivots[0][k])), m.assembly === "open" ? 1 : 0, input, output];
+
+// The designs shown that were found for targets of the same kind and, but for functions, as many.
+function knownOf({ points, ranges }, candidates) {
+  const entries = candidates.map(({ entry }) => entry).filter((entry) => (entry.input_start_deg !== undefined) === Boolean(ranges));
+  return ranges ? entries.map(asKnownGenerator) : entries.filter(({ crank_deg: cranks }) => cranks.length === points.length).map(asKnown);
+}
 
 // The question while a hand still drags: from designs that were shown, if there are any.
 export function liveQuestion(state, candidates) {

@@ -2,7 +2,9 @@
 
 import { set, svg } from "../dom.js";
 import { Picture } from "../picture.js";
-import { barPath, groundSign, pathThrough, round } from "../shapes.js";
+import { barPath, groundSign, pathThrough, round, sectorPath } from "../shapes.js";
+import { diagramAxes, DIAGRAM_MARGIN, errorStrip } from "./diagram.js";
+import { modeOf } from "./modes.js";
 import { along, axesPath } from "./posed.js";
 
 // The part of the plane to draw in, in its units.
@@ -14,24 +16,34 @@ const BEHIND = 225;   // degrees from the first axis of a pose, opposite to both
 export class SketchScene extends Picture {
   constructor(frame, label) {
     super(frame, label);
-    Object.assign(this, { candidates: [], chosen: 0, looked: null, picture: null, targets: { points: [], angles: null, closed: false, region: null, obstacle: null }, phase: 0 });
+    Object.assign(this, { candidates: [], chosen: 0, looked: null, picture: null, targets: { points: [], angles: null, ranges: null, closed: false, region: null, obstacle: null }, phase: 0 });
   }
 
   build() {
-    this.clear(SHEET);
-    const { candidates, chosen, looked, view } = this;
+    const { candidates, chosen, looked, targets: { ranges } } = this;
+    this.clear(SHEET, "", ranges ? DIAGRAM_MARGIN : undefined);
+    const { view } = this;
+    this.ranges = ranges;
     const line = (points) => pathThrough(points.map((p) => view.screen(p)));
     this.boxes = { region: svg("rect", { class: "sketch-region", id: "pivot-region" }), obstacle: svg("rect", { class: "sketch-obstacle", id: "kept-clear" }) };
     this.drawn = svg("path", { class: "sketch-line" });
     this.spots = svg("g");
     this.ghosts = candidates.map((one, i) => (i === chosen ? null : this.#ghost(one, `sketch-${i}`, line)));
     this.lookedAt = looked && this.#ghost(looked, "looked-at", line);
-    this.root.append(...(this.picture ? [this.#underneath(this.picture)] : []), ...Object.values(this.boxes), this.scaleBar(), this.drawn, ...this.ghosts.filter(Boolean).map(({ root }) => root));
+    this.root.append(...(this.picture ? [this.#underneath(this.picture)] : []), ...Object.values(this.boxes), ...this.#scales(ranges), this.drawn, ...this.ghosts.filter(Boolean).map(({ root }) => root));
     this.parts = candidates[chosen] ? this.#linkage(candidates[chosen], line) : null;
     if (this.parts) this.root.append(this.parts.root);
     this.root.append(...(looked ? [this.lookedAt.root] : []), this.spots);
     this.target(this.targets);
     this.move(this.phase);
+  }
+
+  // The scale of the sheet; of a function its diagram, with the errors of the generators.
+  #scales(ranges) {
+    if (!ranges) return [this.scaleBar()];
+    const { candidates, chosen, looked } = this, shown = [...candidates.filter((_, i) => i !== chosen), ...candidates.slice(chosen, chosen + 1), ...(looked ? [looked] : [])];
+    const names = shown.map((one) => (one === looked ? "looked-at" : `sketch-${candidates.indexOf(one)}`));
+    return [diagramAxes(this.view, ranges), ...(shown.length ? [errorStrip(this.view, ranges, shown.map(({ errors }) => errors), names)] : [])];
   }
 
   // A picture {address, width, share} that is drawn over, about the middle of the sheet.
@@ -46,12 +58,13 @@ export class SketchScene extends Picture {
     return { root, links };
   }
 
-  #linkage({ curve, entry: { mechanism } }, line) {
+  #linkage({ curve, linkage: { closure }, sectors = [] }, line) {
     const bars = ["crank", "coupler", "rocker"].map((name) => svg("path", { class: `link-body ${name}`, style: "fill: var(--tint)" }));
     const pins = ["A", "B", "C", "D"].map((name) => svg("circle", { class: "pin", r: 4, "data-pin": name }));
     const point = svg("circle", { class: "coupler-point", r: 5, id: "tracing" });
     const body = svg("path", { class: "sketch-axes reached", id: "body" });
-    const root = svg("g", { id: "linkage" }, svg("path", { class: "path", id: "curve", d: line(curve) }), ...mechanism.fixed_pivots.map((p) => groundSign(this.view.screen(p))), ...bars, ...pins, body, point);
+    const turned = sectors.map(({ at, radius, from, to }) => svg("path", { class: "diagram-sector", d: sectorPath(this.view.screen(at), radius * this.view.scale, from, to) }));
+    const root = svg("g", { id: "linkage" }, ...turned, svg("path", { class: "path", id: "curve", d: line(curve) }), ...[closure.a, closure.d].map((p) => groundSign(this.view.screen(p))), ...bars, ...pins, body, point);
     return { root, bars, pins, point, body };
   }
 
@@ -64,12 +77,13 @@ export class SketchScene extends Picture {
 
   #number(value, [x, y]) { return svg("text", { class: "sketch-number", x: round(x), y: round(y + 4) }, String(value)); }
 
-  // The points drawn, or poses, where pivots may stand, and where no joint comes: {points, angles, closed, region, obstacle}.
+  // The points drawn, poses, or pairs of a function, where pivots may stand, and where no joint comes: a state.
   target(targets) {
     this.targets = targets;
-    const { points, angles, closed } = targets;
+    const { angles, closed, ranges } = targets;
+    if (ranges?.join() !== this.ranges?.join()) { this.build(); return; }
     for (const [name, part] of Object.entries(this.boxes)) this.#bound(part, targets[name]);
-    const at = points.map((p) => this.view.screen(p));
+    const at = modeOf(targets).places(targets).map((p) => this.view.screen(p));
     set(this.drawn, { d: at.length && !angles ? pathThrough(at) + (closed ? "Z" : "") : "" });
     const axes = (angles ?? []).map((degrees, i) => svg("path", { class: "sketch-axes", d: axesPath(at[i], degrees) }));
     const numbers = (angles ?? []).map((degrees, i) => this.#number(i + 1, along(at[i], degrees + BEHIND, 16)));
@@ -89,19 +103,19 @@ export class SketchScene extends Picture {
 
   #moveGhost({ links }, one) {
     const [a, b, c, d, p] = this.#joints(one, one.pose(this.phase)) ?? [];
-    set(links, { d: a ? `${pathThrough([a, b, c, d])}${pathThrough([b, p, c])}` : "" });
+    set(links, { d: a ? `${pathThrough([a, b, c, d])}${one.tracesFunction ? "" : pathThrough([b, p, c])}` : "" });
   }
 
   #moveLinkage(one) {
     const pose = one.pose(this.phase);
     this.parts.root.toggleAttribute("hidden", !pose);
-    if (pose) this.#place(...this.#joints(one, pose), one.bodyAngle(pose));
+    if (pose) this.#place(one, ...this.#joints(one, pose), one.bodyAngle(pose));
   }
 
-  #place(a, b, c, d, p, turned) {
+  #place({ tracesFunction }, a, b, c, d, p, turned) {
     const { bars: [crank, coupler, rocker], pins, point, body } = this.parts;
     set(crank, { d: barPath(a, b, PLATE) });
-    set(coupler, { d: `${barPath(b, c, PLATE)}${barPath(b, p, PLATE - 1)}${barPath(c, p, PLATE - 1)}` });
+    set(coupler, { d: `${barPath(b, c, PLATE)}${tracesFunction ? "" : barPath(b, p, PLATE - 1) + barPath(c, p, PLATE - 1)}` });
     set(rocker, { d: barPath(d, c, PLATE) });
     [a, b, c, d].forEach(([x, y], i) => set(pins[i], { cx: round(x), cy: round(y) }));
     set(point, { cx: round(p[0]), cy: round(p[1]) });

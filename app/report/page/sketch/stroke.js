@@ -30,7 +30,7 @@ function equallySpaced(points, closed, count) {
 }
 
 // Each point a quarter of the way to its neighbours on either side; open ends stay.
-function smoothed(points, closed) {
+export function smoothed(points, closed) {
   const count = points.length;
   return points.map((p, i) => (!closed && (i === 0 || i === count - 1) ? p
     : p.map((x, k) => x / 2 + (points[(i + count - 1) % count][k] + points[(i + 1) % count][k]) / 4)));

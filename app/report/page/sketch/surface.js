@@ -91,13 +91,13 @@ export class Surface {
     return event.key === "Delete" || step !== undefined;
   }
 
-  // The handles at the points of the sketch; `angles`: those of its poses, where it has such.
-  show(points, angles) {
+  // The handles at the targets of the sketch; `angles`: those of its poses, where it has such; `label(i)` says what each is.
+  show(points, angles, label) {
     const { width, height } = this.view();
     set(this.root, { viewBox: `0 0 ${width} ${height}` });
     Object.assign(this, { places: points, posed: angles !== null });
     this.turners.show(points, angles ?? []);
     arrange(this.handles, this.holder, points.map((point) => this.view().screen(point)), (i) => this.#handle(i),
-      (i) => ({ "aria-label": say(this.posed ? "sketch.pose" : "sketch.point", { name: i + 1 }) }));
+      (i) => ({ "aria-label": label(i) }));
   }
 }

@@ -5,6 +5,7 @@ import { tableWithoutRounding } from "../rounding.js";
 import { TakenText } from "../taken_text.js";
 import { problemToml } from "../toml.js";
 import { say } from "../words.js";
+import { modeOf } from "./modes.js";
 import { problemOf, short } from "./question.js";
 
 const FILE_STARTS = 500;
@@ -23,7 +24,7 @@ export class Takings {
       ["sketch.copy_design", design, null], ["sketch.save_design", design, "sketch-design"], ["sketch.copy_link", () => location.href, null]], say("sketch.file"));
   }
 
-  get title() { return say(this.present().state.angles ? "sketch.title_of_poses" : "sketch.title_of_file"); }
+  get title() { return say(modeOf(this.present().state).title); }
   get problem() { return problemToml({ title: this.title, ...problemOf(this.present().state, { starts: FILE_STARTS, designs: FILE_DESIGNS }) }); }
   get design() { return problemToml({ title: this.title, ...analysisOf(this.present().candidate) }); }
 
