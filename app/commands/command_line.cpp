@@ -209,7 +209,7 @@ CommandLine::CommandLine() : app(kDescription, "cognate") {
   add_length_unit(exporting, arguments);
   add_export_options(exporting, arguments);
   auto& sketch =
-      add_command("sketch", "Write a page to draw on: curves, or a mechanism.", kSketchFooter);
+      add_command("sketch", "Write a page to draw on: targets, or a mechanism.", kSketchFooter);
   sketch.add_option("FILE", arguments.file, "a mechanism to begin with, TOML file");
   endings["sketch"] = {".toml"};
   sketch.add_flag("--mechanism", arguments.mechanism, "the page on which a mechanism is built");
