@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.hpp"
@@ -26,6 +27,16 @@ struct Page {
 constexpr Page kCurvePage{"sketch.html", sketch_page, ""};
 constexpr Page kMechanismPage{"mechanism.html", build_page, "mm"};
 
+/// How many the unit of the file has. Without one lengths are those of the sheet, or metres where
+/// forces are computed.
+double millimetres(const problems::AnalysisProblem& problem) {
+  const bool has_forces = !problem.loads.empty() || !(problem.gravity == Vec2d{}) ||
+                          std::ranges::any_of(problem.inertias, [](const Inertia& inertia) {
+                            return inertia.mass > 0 || inertia.moment > 0;
+                          });
+  return problem.length_unit || has_forces ? 1000 * problems::metres(problem.length_unit) : 1;
+}
+
 /// What the page begins with: nothing, or the mechanism of a file by its joints as drawn.
 tl::expected<nlohmann::ordered_json, ExitStatus> beginning(const std::string& file,
                                                            const Options& options) {
@@ -39,9 +50,8 @@ tl::expected<nlohmann::ordered_json, ExitStatus> beginning(const std::string& fi
     return tl::unexpected(exit_bad_input);
   }
   data["problem"] = to_json(*drawn);
-  // Numbers without a unit are those of the sheet.
-  const auto& unit = problem->length_unit;
-  data["millimetres"] = unit ? 1000 * problems::metres(unit) : 1;
+  data["millimetres"] = millimetres(*problem);
+  data["left_out"] = problem->tolerances.has_value() || problem->layers.has_value();
   return data;
 }
 

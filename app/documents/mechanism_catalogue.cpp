@@ -113,7 +113,8 @@ constexpr Entry kOutputTable[] = {
     {"points", "names of those to report (default: all that move)"}};
 
 constexpr KeyedEntry kAnalysisTables[] = {
-    {"[[joint]]", "of a chain as drawn, with driven = a link: instead of pivots, drive and dyads", kJointTable},
+    {"[[joint]]", "of a chain as drawn, with driven = a link: instead of pivots, drive and dyads",
+     kJointTable},
     {"[[pivot]]", "of a chain: a point of the frame", kPivotTable},
     {"[crank]", "of a chain: what drives", kCrankTable},
     {"[slider]", "of a chain: what drives instead of a crank", kSliderTable},

@@ -91,6 +91,39 @@ AnalysisProblem with(const NamedMechanism& drawn, const DrawnMechanism& names,
   return problem;
 }
 
+/// The joint of the drawing at a place of a body; null where there is none.
+const reading::DrawnJoint* joint_at(const DrawnMechanism& drawn, const Attached<double>& at,
+                                    const MechanismMotion<0>& motion) {
+  constexpr double kSame = 1e-12;
+  double size = 0;
+  for (const auto& joint : drawn.drawing.joints) size = std::max(size, norm1(joint.at));
+  const Vec2d place = motion.point(at)[0];
+  const std::size_t link = drawn.link_of_body[static_cast<std::size_t>(at.body)];
+  const auto joint =
+      std::ranges::find_if(drawn.drawing.joints, [&](const reading::DrawnJoint& other) {
+        return !other.direction && reading::joins(other, link) &&
+               norm(other.at - place) <= kSame * size;
+      });
+  return joint == drawn.drawing.joints.end() ? nullptr : &*joint;
+}
+
+/// Loads at joints by the names of these.
+void name_joints_of_loads(const AnalysisProblem& problem, const DrawnMechanism& drawn,
+                          Table& document) {
+  const auto entry = std::ranges::find(document, "load", &Entry::key);
+  if (entry == document.end()) return;
+  MechanismMotion<0> motion(problem.mechanism.mechanism);
+  motion.move_to(problem.drive.start);
+  auto& loads = std::get<reading::Array>(entry->node.value);
+  for (std::size_t i = 0; i < problem.loads.size(); ++i) {
+    const auto* joint = joint_at(drawn, problem.loads[i].at, motion);
+    if (!joint) continue;
+    auto& load = std::get<Table>(loads[i].value);
+    std::erase_if(load, [](const Entry& key) { return key.key == "at"; });
+    std::ranges::find(load, "on", &Entry::key)->node = reading::node(joint->name);
+  }
+}
+
 }  // namespace
 
 tl::expected<Table, std::string> written_as_drawn(const AnalysisProblem& problem) {
@@ -102,6 +135,7 @@ tl::expected<Table, std::string> written_as_drawn(const AnalysisProblem& problem
   auto written = KindTraits<AnalysisProblem>::written(with(*read, *drawn, problem));
   const auto entry = std::ranges::find(written.document, "mechanism", &Entry::key);
   entry->node = reading::node(mechanism);
+  name_joints_of_loads(problem, *drawn, written.document);
   return std::move(written.document);
 }
 

@@ -24,10 +24,12 @@ constexpr int kMostSteps = 1'000'000;
 // Values of one quantity that a table may hold, so that it fits into memory.
 constexpr std::size_t kMostValues = 20'000'000;
 
-/// The angle in degrees, of so many digits that a result that holds it is read as the same number.
+/// The angle in degrees to 14 digits, so that a result that holds it is read as the same number.
 double short_degrees(double angle) {
-  constexpr double kShare = 1e9;
-  return std::round(degrees(angle) * kShare) / kShare;
+  const double exact = degrees(angle);
+  if (exact == 0) return 0;
+  const double unit = std::pow(10.0, 13 - std::floor(std::log10(std::abs(exact))));
+  return std::round(exact * unit) / unit;
 }
 
 void read_angles(TableReader& table, double drawn, DriveSweep& drive) {

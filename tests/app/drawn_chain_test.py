@@ -220,6 +220,7 @@ point = [{name = "P", on = ["B", "C"], at = [%r, %r]}]
                   slid("guide", 90, "bar", "frame")]
         rows = table(drawn(joints, "lever", "[drive]\nend_deg = 60\nsteps = 6\n"))
         self.assertEqual(float(rows[0]["crank_deg"]), 30)
+        self.assertEqual(command(drawn([{**joint, "name": joint["name"].replace("slot", "lever-end")} for joint in joints], "lever"), "check").returncode, 0)
         for row in rows:
             self.assertAlmostEqual(float(row["C_y"]), 3 * math.tan(math.radians(float(row["crank_deg"]))), delta=1e-12)
 
@@ -233,6 +234,9 @@ point = [{name = "P", on = ["B", "C"], at = [%r, %r]}]
                 ("a joint or a link holds it", [*bar, pin("G", (0, 4), "coupler", "third"), pin("H", (1, 7), "third", "frame")]),
                 ("moves the driven link alone", bar[:1]),
                 ("both join \"coupler\" and \"rocker\"", [*bar, pin("C2", (2, 2), "coupler", "rocker")]),
+                ("nothing joins \"x\", \"y\", \"z\" to the frame",
+                 [*bar, pin("X", (8, 0), "x", "y"), pin("Y", (9, 2), "y", "z"), pin("Z", (7, 3), "z", "x")]),
+                ("\"A\" and \"B\" of \"crank\" are at the same place", [bar[0], {**bar[1], "at": A}, *bar[2:]]),
                 ("are drawn at a dead point", [bar[0], {**bar[1], "at": (1, 0)}, {**bar[2], "at": (2.5, 0)}, bar[3]]),
                 ("are at the same place", [*bar[:2], {**bar[2], "at": B}, bar[3]]),
                 ("which are both joined to \"coupler\"", [*bar, *on_coupler]),
@@ -256,6 +260,22 @@ point = [{name = "P", on = ["B", "C"], at = [%r, %r]}]
             with self.subTest(reason):
                 self.assertIn(reason, self.faults(drawn(joints, driven)))
         self.assertIn("is given beside [[joint]]", self.faults(drawn(FOUR_BAR, "crank", '[crank]\nat = "A"')))
+
+    def test_what_follows_from_a_fault_is_no_fault(self):
+        joints = [pinned("A", (0, 0), "frame", "a"), pinned("B", (10, 0), "a", "b"), pinned("C", (20, 0), "b", "ram"), slid("S", 90, "ram", "frame")]
+        rest = '[[link]]\nbetween = ["A", "B"]\nmass = 1\ncentre = [0, 0]\n[[load]]\non = "C"\nforce = [0, 1]\n[drive]\nend = 1\n'
+        said = self.faults(drawn(joints, "ram", rest))
+        self.assertEqual(len(said.splitlines()), 1, said)
+        self.assertIn("are drawn at a dead point", said)
+
+    def test_a_drawing_near_a_dead_point_begins_there(self):
+        for sine in (2e-6, 1e-5, 1e-3):
+            c = complex(1, 0.5) + 2.5 * complex(math.cos(0.6), math.sin(0.6))
+            d = c + 2 * complex(math.cos(0.6 + sine), math.sin(0.6 + sine))
+            joints = [pinned("A", (0, 0), "frame", "crank"), pinned("B", (1, 0.5), "crank", "bar"), pinned("C", (c.real, c.imag), "bar", "rocker"),
+                      pinned("D", (d.real, d.imag), "rocker", "frame")]
+            first = table(drawn(joints, "crank", "[drive]\nsteps = 6\n"))[0]
+            self.assertAlmostEqual(float(first["C_y"]), c.imag, delta=1e-8)
 
     def test_groups_that_are_no_dyads_name_the_drive_that_leaves_such(self):
         pin = pinned

@@ -1,5 +1,6 @@
 /// @file Analyses in a page: a problem as its result holds it is read and evaluated by the
 /// program's own reader and evaluator, and comes back as the data that its page is drawn from.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/report/analysis_report_data.hpp"
@@ -9,6 +10,7 @@
 #include "app/report/kernel/problem_of.hpp"
 #include "app/report/mechanism_json.hpp"
 #include "app/report/quantity_json.hpp"
+#include "problems/basics/degrees.hpp"
 #include "problems/evaluation/motion_summary.hpp"
 #include "problems/evaluation/result.hpp"
 #include "problems/evaluation/type_quantities.hpp"
@@ -24,6 +26,31 @@ using problems::AnalysisProblem;
 /// Samples of a motion that is drawn while a joint is dragged.
 constexpr int kDraggedSamples = 181;
 
+/// Whether a slider runs to infinity towards `drive`.
+bool runs_away(const AssemblyRanges& ranges, double drive) {
+  return std::ranges::any_of(ranges.points, [&](const SpecialPosition& point) {
+    return point.kind == SpecialPositionKind::parallel_guides && point.drive == drive;
+  });
+}
+
+/// Where the mechanism can be assembled, in degrees or, of a driving slider, its own unit; without
+/// a part where a slider runs to infinity.
+ordered_json ranges_of(const AssemblyRanges& ranges, bool slides) {
+  constexpr double kFarAway = 0.05;
+  ordered_json all = ordered_json::array();
+  for (AssemblyRange run : ranges.runs) {
+    const double part = kFarAway * (run.to - run.from);
+    if (runs_away(ranges, run.from)) run.from += part;
+    if (runs_away(ranges, run.to)) run.to -= part;
+    if (slides) {
+      all.push_back({run.from, run.to});
+    } else {
+      all.push_back({problems::degrees(run.from), problems::degrees(run.to)});
+    }
+  }
+  return all;
+}
+
 /// The motion alone, and what follows from it.
 ordered_json motion_of(const AnalysisProblem& problem) {
   const problems::Deadline none{problems::Run{}};
@@ -34,7 +61,8 @@ ordered_json motion_of(const AnalysisProblem& problem) {
   quantities.insert(quantities.end(), of_motion.begin(), of_motion.end());
   return {
       {"mechanism", app::mechanism_motion_json(problem.mechanism, {start, end}, kDraggedSamples)},
-      {"facts", app::quantities_json(quantities)}};
+      {"facts", app::quantities_json(quantities)},
+      {"ranges", ranges_of(ranges, problems::drive_slides(problem))}};
 }
 
 /// Everything: also the table, its extremes and the notes.

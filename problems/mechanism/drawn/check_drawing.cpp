@@ -61,6 +61,27 @@ Links loose(const Drawing& drawing, const Links& among) {
   return found;
 }
 
+/// The links that no joints join to the frame.
+Links apart_from_frame(const Drawing& drawing) {
+  std::vector<bool> joined(drawing.links.size(), false);
+  joined[0] = true;
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (const DrawnJoint& joint : drawing.joints) {
+      const bool here = std::ranges::any_of(joint.of, [&](std::size_t i) { return joined[i]; });
+      for (const std::size_t link : joint.of) {
+        grows = grows || (here && !joined[link]);
+        joined[link] = joined[link] || here;
+      }
+    }
+  }
+  Links apart;
+  for (std::size_t i = 1; i < joined.size(); ++i) {
+    if (!joined[i]) apart.push_back(i);
+  }
+  return apart;
+}
+
 void check_mobility(const Drawing& drawing, const DrawnGroups& groups, TableReader& place) {
   const DrawnMobility mobility = mobility_of(drawing);
   std::string message = fmt::format(
@@ -69,6 +90,8 @@ void check_mobility(const Drawing& drawing, const DrawnGroups& groups, TableRead
   const Links hanging = loose(drawing, groups.left);
   if (!hanging.empty()) {
     message += fmt::format("; one joint alone holds {}", link_list(drawing, hanging));
+  } else if (const Links apart = apart_from_frame(drawing); !apart.empty()) {
+    message += fmt::format("; nothing joins {} to the frame", link_list(drawing, apart));
   } else if (mobility.value() > 1) {
     message += "; join more of its links, or fix a pin to the frame";
   } else {

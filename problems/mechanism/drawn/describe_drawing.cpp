@@ -14,8 +14,9 @@ namespace cognate::problems::reading {
 namespace {
 
 /// Sines of angles below this are those of a dead point: there the drawing does not say which of
-/// two assemblies is meant, and at a millionth of it rounding decides.
-constexpr double kDeadSine = 1e-9;
+/// two assemblies is meant. The end of the motion is some squares of it away, 1e-12, and an angle
+/// is known to 1e-15.
+constexpr double kDeadSine = 1e-6;
 
 /// Coordinates this much smaller than the drawing are 0 but for rounding.
 constexpr double kRounding = 1e-15;
@@ -62,8 +63,9 @@ class Describer {
       described_.chain.drive =
           SliderDescription{slide_of(on_frame, 0, joint(pin).at), joint(pin).name, name(link)};
     } else {
+      const double length = length_of(link, on_frame, pin);
+      if (length == 0) return;
       const Vec2d along = joint(pin).at - joint(on_frame).at;
-      const double length = norm(along);
       axes_[link] = {joint(on_frame).at, (1 / length) * along};
       described_.drive = angle_of(along);
       described_.chain.drive =
@@ -104,13 +106,15 @@ class Describer {
     return pins;
   }
 
-  /// A joint of the driving link away from the drive's own, a pin rather than a point: it has one.
+  /// A joint of the driving link other than the drive's own: a pin rather than a point, and best
+  /// away from it.
   std::size_t driving_pin(std::size_t link, std::size_t on_frame) const {
     auto pins = pins_of(link);
-    std::erase_if(pins, [&](std::size_t i) { return !is_away(joint(i), joint(on_frame), size_); });
-    const auto pin =
-        std::ranges::find_if(pins, [&](std::size_t i) { return joint(i).of.size() > 1; });
-    return pin != pins.end() ? *pin : pins.front();
+    std::erase(pins, on_frame);
+    const auto worth = [&](std::size_t i) {
+      return std::pair(is_away(joint(i), joint(on_frame), size_), joint(i).of.size() > 1);
+    };
+    return *std::ranges::max_element(pins, {}, worth);
   }
 
   /// From one joint of a link to another; 0, with a fault, where they coincide.
@@ -291,6 +295,15 @@ class Describer {
   double size_;
 };
 
+std::string free_name(const Drawing& drawing, std::string name) {
+  const auto is_taken = [&] {
+    return std::ranges::find(drawing.links, name) != drawing.links.end() ||
+           std::ranges::find(drawing.joints, name, &DrawnJoint::name) != drawing.joints.end();
+  };
+  while (is_taken()) name += "'";
+  return name;
+}
+
 /// A driving link with no pin but that of the frame, such as a lever on which a block slides, has
 /// a point of its own beside it.
 Drawing with_driving_pin(Drawing drawing) {
@@ -302,11 +315,12 @@ Drawing with_driving_pin(Drawing drawing) {
   const double size = size_of(drawing);
   Vec2d along{1, 0};
   for (const std::size_t i : of_link) {
-    if (is_away(joint(i), joint(*on_frame), size)) return drawing;
+    if (i != *on_frame && !joint(i).direction) return drawing;
     if (joint(i).direction) along = *joint(i).direction;
   }
-  DrawnJoint end{
-      .name = drawing.links[link] + "-end", .of = {link}, .where = joint(*on_frame).where};
+  DrawnJoint end{.name = free_name(drawing, drawing.links[link] + "-end"),
+                 .of = {link},
+                 .where = joint(*on_frame).where};
   end.at = joint(*on_frame).at + (size > 0 ? size : 1) * along;
   drawing.joints.push_back(std::move(end));
   return drawing;

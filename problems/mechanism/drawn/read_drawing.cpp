@@ -32,7 +32,6 @@ class DrawingReader {
 
   void read(TableReader& table) {
     DrawnJoint joint;
-    const std::size_t before = faults_.size();
     joint.name = require_name(table, "name", "the joint").value_or("");
     joint.where = table.where("name");
     read_links(table, joint);
@@ -46,7 +45,7 @@ class DrawingReader {
     if (!is_new) {
       table.fault("name", fmt::format("is {}, the name of another joint", in_quotes(joint.name)));
     }
-    if (faults_.size() == before) drawing_.joints.push_back(std::move(joint));
+    drawing_.joints.push_back(std::move(joint));
   }
 
   void read_driven(TableReader& mechanism) {
@@ -149,7 +148,7 @@ bool is_drawn(const TableReader& document, const TableReader& mechanism) {
   return document.contains(kJoint) || mechanism.contains(kJoint) || mechanism.contains(kDriven);
 }
 
-std::optional<Drawing> read_drawing(TableReader& document, TableReader& mechanism) {
+Drawing read_drawing(TableReader& document, TableReader& mechanism) {
   FaultList& faults = document.faults();
   const std::size_t before = faults.size();
   for (const std::string_view key : {"pivot", "crank", "slider", "cylinder", "dyad"}) {
@@ -166,13 +165,8 @@ std::optional<Drawing> read_drawing(TableReader& document, TableReader& mechanis
     place.fault(kJoint, "is missing; expected the joints of the mechanism, one of which is driven");
   }
   for (TableReader& joint : place.tables(kJoint, {1, kMostJoints, "joints"})) reader.read(joint);
-  if (faults.size() != before) {
-    mechanism.know({kDriven});
-    return std::nullopt;
-  }
-  reader.read_driven(mechanism);
-  reader.check_names();
-  if (faults.size() != before) return std::nullopt;
+  if (faults.size() == before || mechanism.has(kDriven)) reader.read_driven(mechanism);
+  if (faults.size() == before) reader.check_names();
   return reader.take();
 }
 

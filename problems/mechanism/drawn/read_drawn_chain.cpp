@@ -12,15 +12,26 @@
 namespace cognate::problems::reading {
 namespace {
 
-std::optional<DescribedDrawing> read_described(TableReader& document, TableReader& mechanism) {
-  const auto drawing = read_drawing(document, mechanism);
-  if (!drawing) return std::nullopt;
-  TableReader& place = holder("joint", document, mechanism);
+/// The dimensions of a drawing without faults; empty, with a fault, where it is no mechanism.
+std::optional<DescribedDrawing> described(const Drawing& drawing, TableReader& place) {
   const std::size_t before = place.faults().size();
-  const DrawnGroups groups = groups_of(*drawing, drawing->driven);
-  check_drawing(*drawing, groups, place);
+  const DrawnGroups groups = groups_of(drawing, drawing.driven);
+  check_drawing(drawing, groups, place);
   if (place.faults().size() != before) return std::nullopt;
-  return describe(*drawing, groups, place.faults());
+  return describe(drawing, groups, place.faults());
+}
+
+/// Of a drawing that is no mechanism what other tables refer to: the names of its points, and
+/// whether a slider drives.
+Chain unfinished(const Drawing& drawing) {
+  Chain chain;
+  chain.names.incomplete = true;
+  for (const DrawnJoint& joint : drawing.joints) {
+    chain.names.announce(joint.name);
+    const bool drives = drawing.driven > 0 && joins(joint, drawing.driven) && joins(joint, 0);
+    if (drives && joint.direction) chain.mechanism.drive = DrivingSlider<double>{};
+  }
+  return chain;
 }
 
 /// The chain as `type = "chain"` describes it by drive and dyads. What its reader refuses, such as
@@ -52,13 +63,12 @@ void add_points(TableReader& place, Chain& chain) {
 }  // namespace
 
 Chain read_drawn_chain(TableReader& document, TableReader& mechanism) {
-  const auto described = read_described(document, mechanism);
-  Chain chain;
-  if (described) {
-    chain = chain_of(*described, holder("joint", document, mechanism));
-  } else {
-    chain.names.incomplete = true;
-  }
+  const std::size_t before = document.faults().size();
+  const Drawing drawing = read_drawing(document, mechanism);
+  TableReader& place = holder("joint", document, mechanism);
+  const bool is_sound = document.faults().size() == before;
+  const auto dimensions = is_sound ? described(drawing, place) : std::nullopt;
+  Chain chain = dimensions ? chain_of(*dimensions, place) : unfinished(drawing);
   add_points(holder("point", document, mechanism), chain);
   return chain;
 }

@@ -27,7 +27,7 @@ export function addressOfState(state) {
   return `#${[...languages, ...parts].join("&")}`;
 }
 
-const isNumber = (text) => text !== undefined && /^-?\d+(\.\d+)?(e-?\d+)?$/.test(text);
+const isNumber = (text) => text !== undefined && /^-?\d+(\.\d+)?(e[+-]?\d+)?$/.test(text);
 const namesOf = (text = "") => text.split(TOGETHER);
 
 // Of each part an object from the texts of a row; undefined of a row that is damaged.

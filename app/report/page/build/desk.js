@@ -3,7 +3,7 @@
 import { History } from "../edit/history.js";
 import { mergeJoints, moveJoint, moveLink, placeOfSpot, removeJoint, removeLink, removeLoad, setLoad } from "./edits.js";
 import { FORCE_SCALE, spotAt } from "./hits.js";
-import { jointOf, linkOf } from "./model.js";
+import { isSound, jointOf, linkOf } from "./model.js";
 import { TOOLS } from "./tools.js";
 
 export class Desk {
@@ -21,7 +21,7 @@ export class Desk {
 
   // Another state that can be undone; null: there is none.
   change(next, chosen = this.chosen, why = this.tool) {
-    if (!next) {
+    if (!next || !isSound(next)) {
       this.state = this.steps.present;
       this.page.refuse(why);
       this.page.settle();
@@ -56,6 +56,7 @@ export class Desk {
 
   // While a hand drags: the mechanism follows, or a line shows what will be.
   move(place, reach, pixels) {
+    if (!this.from) return;   // cancelled
     if (this.tool === "move") this.#carry(place, pixels);
     else if (TOOLS[this.tool].drag) this.page.preview(this.#placeOf(this.from), this.page.spot(place, reach));
   }
@@ -74,6 +75,7 @@ export class Desk {
   // A drag has ended there; or it was a click.
   lift(place, reach, moved) {
     const { from } = this;
+    if (!from) return;
     this.page.preview(null);
     this.from = null;
     if (!moved) this.click(place, reach, from);

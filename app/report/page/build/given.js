@@ -27,13 +27,23 @@ function byJoints(pins, slider) {
 // A force at a point that acts always.
 const isPlain = (pins, { on, force, torque = 0, when = "always", stroke = null }) => !torque && when === "always" && stroke === null && Array.isArray(force) && pins.some(({ name }) => name === on);
 
+// A whole turn at the speed of the page.
+const isPlainDrive = ({ speed = 1, acceleration = 0, start_deg: start = 0, end_deg: end = start + 360 }) => speed === 1 && acceleration === 0 && Math.abs(end - start - 360) < 1e-9;
+
+// One force at each point.
+function summed(forces) {
+  const sums = new Map();
+  for (const { on, force } of forces) sums.set(on, (sums.get(on) ?? [0, 0]).map((x, k) => x + force[k]));
+  return [...sums].map(([on, force]) => ({ on, force }));
+}
+
 // {state, isWhole}: whether all of the file is on the page; null where the page cannot hold the mechanism.
-export function stateOfProblem({ problem: { mechanism, link = [], load = [], gravity = null }, millimetres }) {
+export function stateOfProblem({ problem: { mechanism, link = [], load = [], gravity = null, drive = {} }, millimetres, left_out: leftOut = false }) {
   const pins = mechanism.joint.filter(({ at }) => at).map(({ name, at, of }) => ({ name, at: at.map((x) => millimetres * x), of }));
   const slides = mechanism.joint.filter(({ at }) => !at), forces = load.filter((one) => isPlain(pins, one));
   const massOf = (name) => link.find((one) => (one.name ?? one.between?.[0]) === name)?.mass ?? 0;
   const state = { ...EMPTY, joints: pins, sliders: slidersOf(pins, slides).map((slider) => byJoints(pins, slider)), links: linksNamed(mechanism.joint).map((name) => ({ name, mass: massOf(name) })),
-    driven: mechanism.driven, loads: forces.map(({ on, force }) => ({ on, force })), weighs: (gravity?.[1] ?? 0) < 0 };
-  const isWhole = link.length === 0 && forces.length === load.length;
+    driven: mechanism.driven, loads: summed(forces), weighs: (gravity?.[1] ?? 0) < 0 };
+  const isWhole = !leftOut && isPlainDrive(drive) && link.length === 0 && forces.length === load.length;
   return isSound(state) && forces.every(({ on }) => jointOf(state, on)) ? { state, isWhole } : null;
 }

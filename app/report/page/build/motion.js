@@ -12,14 +12,7 @@ const FULL = 360, NEAR = 1e-6;
 const FARTHEST = 4;     // sizes of the mechanism to either side that the range of a driving slider is looked for
 const INSIDE = 1e-6;    // of the range within its limits: there rounding decides whether it closes
 
-const isOpen = ({ bodies }, k) => bodies.slice(1).some(({ x }) => (Array.isArray(x) ? x[k] : x) === null);
 const isRound = ({ drive }) => Math.abs(Math.abs(drive.at(-1) - drive[0]) - FULL) < NEAR;
-
-// The first sample from `begin` on in a sense that is open; -1 where none is.
-function firstOpen(motion, begin, sense) {
-  for (let k = begin; k >= 0 && k < motion.drive.length; k += sense) if (isOpen(motion, k)) return k;
-  return -1;
-}
 
 // Where the places of bodies are at a sample of a motion.
 function placesAt({ bodies }, k) {
@@ -72,7 +65,7 @@ export class Analyst {
   whole(state) {
     const { data, slides, drawn } = this.#sweep(state);
     if (!data || data.faults) return data ?? {};
-    const range = this.#range(state, data.mechanism, slides, drawn);
+    const range = rangeAbout(data, slides, drawn);
     const all = this.#ask(() => this.kernel.whole(problemOfState(state, range)));
     if (all.faults) return all;
     return { motion: new BuiltMotion(all, placesAt(data.mechanism, drawn), { start: data.mechanism.drive[drawn], round: all.drive.round, isTurning: !slides }), range };
@@ -86,25 +79,6 @@ export class Analyst {
   }
 
   #motion(state, range) { return this.#ask(() => this.kernel.motion(problemOfState(state, range))); }
-
-  // The limits of the drive about the position drawn as files have them; null where it turns fully.
-  #range(state, motion, slides, drawn) {
-    const { drive } = motion, turn = slides ? 0 : FULL, forward = firstOpen(motion, drawn, 1);
-    if (!slides && forward < 0) return null;
-    const backward = firstOpen(motion, slides ? drawn : drive.length - 1, -1);
-    const high = forward < 0 ? drive.at(-1) : this.#limit(state, slides, drive[Math.max(0, forward - 1)], drive[forward]);
-    const low = backward < 0 ? drive[0] : this.#limit(state, slides, drive[Math.min(drive.length - 1, backward + 1)] - turn, drive[backward] - turn);
-    const inside = INSIDE * (high - low), [from, to] = [Math.min(drive[drawn], low + inside), Math.max(drive[drawn], high - inside)];
-    return rangeOf(slides, from, to);
-  }
-
-  // The last place of a finer sweep that is closed, from one that is to one that is not.
-  #limit(state, slides, closed, open) {
-    const data = this.#motion(state, rangeOf(slides, closed, open));
-    if (data.faults) return closed;
-    const k = firstOpen(data.mechanism, 0, 1);
-    return k > 0 ? data.mechanism.drive[k - 1] : closed;
-  }
 
   // The kernel's answer; where it fails the next question goes to a fresh one.
   #ask(question) {
@@ -123,4 +97,14 @@ function wayOf({ joints }) {
 }
 
 const nearestToZero = (list) => list.reduce((best, x, k) => (Math.abs(x) < Math.abs(list[best]) ? k : best), 0);
+// The limits of the drive about the position drawn as files have them; null where it turns fully. Over a turn what lies before
+// that position stands at the end.
+function rangeAbout({ ranges, mechanism: { drive } }, slides, drawn) {
+  const at = drive[drawn], own = ranges.find(([from, to]) => from - NEAR <= at && at <= to + NEAR) ?? [at, at], last = ranges.at(-1);
+  if (!slides && own[1] >= drive.at(-1) - NEAR) return null;
+  const isBefore = !slides && last !== own && last?.[1] >= drive.at(-1) - NEAR;
+  const [low, high] = [isBefore ? last[0] - FULL : own[0], own[1]], inside = INSIDE * (high - low);
+  return rangeOf(slides, Math.min(at, low + inside), Math.max(at, high - inside));
+}
+
 const rangeOf = (slides, from, to) => (slides ? { start: from, end: to } : { start_deg: from, end_deg: to });
