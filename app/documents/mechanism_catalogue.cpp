@@ -131,8 +131,8 @@ constexpr KeyedEntry kAnalysisTables[] = {
 }  // namespace
 
 std::span<const KeyedEntry> mechanisms() {
-  static const auto kMechanisms = all_mechanisms();
-  return kMechanisms;
+  static const auto all = all_mechanisms();
+  return all;
 }
 
 std::span<const KeyedEntry> dyads() {
