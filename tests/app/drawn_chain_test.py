@@ -277,6 +277,13 @@ point = [{name = "P", on = ["B", "C"], at = [%r, %r]}]
             first = table(drawn(joints, "crank", "[drive]\nsteps = 6\n"))[0]
             self.assertAlmostEqual(float(first["C_y"]), c.imag, delta=1e-8)
 
+    def test_pages_take_metres_where_a_file_without_a_unit_has_forces(self):
+        for name, millimetres in (("analysis/pump-jack", "1000.0"), ("analysis/watt-six-bar", "1.0")):
+            with tempfile.TemporaryDirectory() as folder:
+                page = pathlib.Path(folder) / "page.html"
+                subprocess.run([PROGRAM, "sketch", LIBRARY / f"{name}.toml", "--out", page, "--quiet"], check=True, timeout=60)
+                self.assertIn(f'"millimetres":{millimetres}', page.read_text(encoding="utf-8"))
+
     def test_groups_that_are_no_dyads_name_the_drive_that_leaves_such(self):
         pin = pinned
         stephenson = [pin("A", (0, 0), "frame", "p"), pin("B", (1, 1.5), "p", "plate"), pin("D", (4, 0), "frame", "q"),
