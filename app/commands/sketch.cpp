@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.hpp"
@@ -30,11 +29,8 @@ constexpr Page kMechanismPage{"mechanism.html", build_page, "mm"};
 /// How many the unit of the file has. Without one lengths are those of the sheet, or metres where
 /// forces are computed.
 double millimetres(const problems::AnalysisProblem& problem) {
-  const bool has_forces = !problem.loads.empty() || !(problem.gravity == Vec2d{}) ||
-                          std::ranges::any_of(problem.inertias, [](const Inertia& inertia) {
-                            return inertia.mass > 0 || inertia.moment > 0;
-                          });
-  return problem.length_unit || has_forces ? 1000 * problems::metres(problem.length_unit) : 1;
+  const bool is_true = problem.length_unit || has_forces(problem);
+  return is_true ? 1000 * problems::metres(problem.length_unit) : 1;
 }
 
 /// What the page begins with: nothing, or the mechanism of a file by its joints as drawn.

@@ -23,13 +23,13 @@ struct Standing {
 /// position.
 class Redrawn {
  public:
-  Redrawn(const Standing& before, const Standing& after, const DrawnMechanism& drawn)
+  Redrawn(const Standing& before, const Standing& after, const reading::Drawing& drawing)
       : before_(before.mechanism.mechanism), after_(after.mechanism.mechanism) {
     before_.move_to(before.drive);
     after_.move_to(after.drive);
-    for (const std::size_t link : drawn.link_of_body) {
-      const auto& bodies = after.mechanism.bodies;
-      const auto body = std::ranges::find(bodies, drawn.drawing.links[link]);
+    const auto& bodies = after.mechanism.bodies;
+    for (const std::string& link : drawing.links) {
+      const auto body = std::ranges::find(bodies, link);
       body_.push_back(static_cast<int>(body - bodies.begin()));
     }
   }
@@ -70,14 +70,15 @@ tl::expected<NamedMechanism, std::string> read_again(const Table& mechanism) {
 
 /// The problem with another description of its mechanism, whose drive counts from where it begins
 /// if it slides.
-AnalysisProblem with(const NamedMechanism& drawn, const DrawnMechanism& names,
+AnalysisProblem with(const NamedMechanism& drawn, const reading::Drawing& drawing,
                      const AnalysisProblem& given) {
   AnalysisProblem problem = given;
   const double zero = drive_slides(given) ? given.drive.start : 0;
   problem.drive.start -= zero;
   problem.drive.end -= zero;
   problem.mechanism = drawn;
-  const Redrawn redrawn({given.mechanism, given.drive.start}, {drawn, problem.drive.start}, names);
+  const Redrawn redrawn({given.mechanism, given.drive.start}, {drawn, problem.drive.start},
+                        drawing);
   problem.inertias = redrawn.inertias(given.inertias);
   for (LoadRule& load : problem.loads) {
     load.at = redrawn.place(load.at);
@@ -92,23 +93,22 @@ AnalysisProblem with(const NamedMechanism& drawn, const DrawnMechanism& names,
 }
 
 /// The joint of the drawing at a place of a body; null where there is none.
-const reading::DrawnJoint* joint_at(const DrawnMechanism& drawn, const Attached<double>& at,
+const reading::DrawnJoint* joint_at(const reading::Drawing& drawing, const Attached<double>& at,
                                     const MechanismMotion<0>& motion) {
-  constexpr double kSame = 1e-12;
+  constexpr double kSame = 1e-12;  // of the drawing: rounding of places in other axes
   double size = 0;
-  for (const auto& joint : drawn.drawing.joints) size = std::max(size, norm1(joint.at));
+  for (const auto& joint : drawing.joints) size = std::max(size, norm1(joint.at));
   const Vec2d place = motion.point(at)[0];
-  const std::size_t link = drawn.link_of_body[static_cast<std::size_t>(at.body)];
-  const auto joint =
-      std::ranges::find_if(drawn.drawing.joints, [&](const reading::DrawnJoint& other) {
-        return !other.direction && reading::joins(other, link) &&
-               norm(other.at - place) <= kSame * size;
-      });
-  return joint == drawn.drawing.joints.end() ? nullptr : &*joint;
+  const auto link = static_cast<std::size_t>(at.body);
+  const auto joint = std::ranges::find_if(drawing.joints, [&](const reading::DrawnJoint& other) {
+    return !other.direction && reading::joins(other, link) &&
+           norm(other.at - place) <= kSame * size;
+  });
+  return joint == drawing.joints.end() ? nullptr : &*joint;
 }
 
 /// Loads at joints by the names of these.
-void name_joints_of_loads(const AnalysisProblem& problem, const DrawnMechanism& drawn,
+void name_joints_of_loads(const AnalysisProblem& problem, const reading::Drawing& drawing,
                           Table& document) {
   const auto entry = std::ranges::find(document, "load", &Entry::key);
   if (entry == document.end()) return;
@@ -116,7 +116,7 @@ void name_joints_of_loads(const AnalysisProblem& problem, const DrawnMechanism& 
   motion.move_to(problem.drive.start);
   auto& loads = std::get<reading::Array>(entry->node.value);
   for (std::size_t i = 0; i < problem.loads.size(); ++i) {
-    const auto* joint = joint_at(drawn, problem.loads[i].at, motion);
+    const auto* joint = joint_at(drawing, problem.loads[i].at, motion);
     if (!joint) continue;
     auto& load = std::get<Table>(loads[i].value);
     std::erase_if(load, [](const Entry& key) { return key.key == "at"; });
@@ -129,7 +129,7 @@ void name_joints_of_loads(const AnalysisProblem& problem, const DrawnMechanism& 
 tl::expected<Table, std::string> written_as_drawn(const AnalysisProblem& problem) {
   const auto drawn = drawing_of(problem.mechanism, problem.drive.start);
   if (!drawn) return tl::unexpected(drawn.error());
-  const Table mechanism = drawing_writer(drawn->drawing).take();
+  const Table mechanism = drawing_writer(*drawn).take();
   const auto read = read_again(mechanism);
   if (!read) return tl::unexpected(read.error());
   auto written = KindTraits<AnalysisProblem>::written(with(*read, *drawn, problem));

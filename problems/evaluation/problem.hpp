@@ -1,6 +1,7 @@
 /// @file What an analysis file (`kind = "analysis"`) says, as values. Angles are in radians.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
@@ -66,6 +67,14 @@ struct KindTraits<AnalysisProblem> {
   static tl::expected<AnalysisProblem, std::vector<std::string>> checked(
       const AnalysisProblem& problem);
 };
+
+/// Whether it has masses or loads, so that forces are computed.
+inline bool has_forces(const AnalysisProblem& problem) {
+  return !problem.loads.empty() ||
+         std::ranges::any_of(problem.inertias, [](const Inertia& inertia) {
+           return inertia.mass > 0 || inertia.moment > 0;
+         });
+}
 
 /// Whether what drives the mechanism is a slider rather than a crank.
 inline bool drive_slides(const AnalysisProblem& problem) {

@@ -108,13 +108,6 @@ void check_cylinder(TableReader& table, const NamedMechanism& mechanism, const D
   check("end", drive.end);
 }
 
-bool weighs_or_bears(const AnalysisProblem& problem) {
-  return !problem.loads.empty() ||
-         std::ranges::any_of(problem.inertias, [](const Inertia& inertia) {
-           return inertia.mass > 0 || inertia.moment > 0;
-         });
-}
-
 /// Where no mechanism can be read, the parts that the other tables name are not known, but their
 /// numbers and keys are checked all the same.
 void check_without_mechanism(TableReader& document, TableReader& mechanism, TableReader& drive,
@@ -169,7 +162,7 @@ AnalysisProblem KindTraits<AnalysisProblem>::read(reading::TableReader& document
   problem.gravity = read_gravity(holder("gravity", document, mechanism));
   problem.drive = read_drive(drive, slides, read.drawn.value_or(0), parts);
   check_cylinder(drive, read.mechanism, problem.drive);
-  problem.output = read_output(output, read.names, weighs_or_bears(problem), slides);
+  problem.output = read_output(output, read.names, has_forces(problem), slides);
   problem.mechanism = std::move(read.mechanism);
   check_coupler_curve(output, mechanism, problem);
   if (document.faults().size() == 0) {

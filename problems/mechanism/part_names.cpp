@@ -24,12 +24,6 @@ bool is_fit(char c) {
          c == '_' || c == '.' || c == '\'' || byte >= 0x80;
 }
 
-std::string listed(std::vector<std::string_view> words) {
-  const bool all = words.size() <= kMostListed;
-  if (!all) words.resize(kMostListed);
-  return quoted_list(words) + (all ? "" : " and others");
-}
-
 std::vector<std::string_view> body_names(const NamedParts& parts) {
   std::vector<std::string_view> words;
   for (const Body& body : parts.bodies) words.push_back(body.name);
@@ -104,6 +98,12 @@ std::optional<Axes> axes_of_two(const PartNames& names, const Mention& first, co
 }
 
 }  // namespace
+
+std::string listed(std::vector<std::string_view> words) {
+  const bool all = words.size() <= kMostListed;
+  if (!all) words.resize(kMostListed);
+  return quoted_list(words) + (all ? "" : " and others");
+}
 
 PartNames::PartNames(NamedParts parts) : parts_(std::move(parts)) {
   for (std::size_t i = 0; i < parts_.bodies.size(); ++i) {

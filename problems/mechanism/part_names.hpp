@@ -113,6 +113,9 @@ struct Axes {
 std::optional<Axes> find_axes(const PartNames& names, const std::vector<Mention>& mentions,
                               FaultList& faults);
 
+/// `words` in quotation marks, as many as a message has room for.
+std::string listed(std::vector<std::string_view> words);
+
 /// "\"A\", \"B\"": the names of all points, of all bodies.
 std::string point_list(const PartNames& names);
 std::string body_list(const NamedParts& parts, const std::vector<Attached<double>>& places);

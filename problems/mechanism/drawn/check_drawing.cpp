@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "problems/mechanism/part_names.hpp"
 #include "problems/toml/nearest.hpp"
 
 namespace cognate::problems::reading {
@@ -21,12 +22,9 @@ void fault(const TableReader& place, std::string message) {
 }
 
 std::string link_list(const Drawing& drawing, const Links& links) {
-  constexpr std::size_t kMostListed = 20;
   std::vector<std::string_view> words;
   for (const std::size_t link : links) words.push_back(drawing.links[link]);
-  const bool all = words.size() <= kMostListed;
-  if (!all) words.resize(kMostListed);
-  return quoted_list(words) + (all ? "" : " and others");
+  return listed(std::move(words));
 }
 
 /// Two links with two joints cannot move on one another.

@@ -28,24 +28,25 @@ class Draughtsman {
   explicit Draughtsman(const NamedMechanism& mechanism)
       : mechanism_(mechanism), motion_(mechanism.mechanism), names_(joint_names(mechanism)) {}
 
-  tl::expected<DrawnMechanism, std::string> draw(double drive) {
+  tl::expected<reading::Drawing, std::string> draw(double drive) {
     if (!drives_from_frame(mechanism_.mechanism.drive)) {
       return refusal("the mechanism is driven by no link that has a joint with the frame");
     }
-    if (!motion_.move_to(drive))
+    if (!motion_.move_to(drive)) {
       return refusal("the mechanism cannot be assembled where its drive begins");
+    }
     add_joints();
     add_points();
     name_links();
-    drawn_.drawing.driven = 1;
-    return std::move(drawn_);
+    drawing_.driven = 1;
+    return std::move(drawing_);
   }
 
  private:
   Vec2d place(const Attached<double>& at) const { return motion_.point(at)[0]; }
 
   DrawnJoint* find(const std::string& name) {
-    auto& joints = drawn_.drawing.joints;
+    auto& joints = drawing_.joints;
     const auto joint = std::ranges::find(joints, name, &DrawnJoint::name);
     return joint == joints.end() ? nullptr : &*joint;
   }
@@ -68,8 +69,8 @@ class Draughtsman {
           const auto& along = motion_.bodies()[static_cast<std::size_t>(joint.at.body)];
           drawn.direction = along.direction * joint.direction;
         }
-        drawn_.drawing.joints.push_back(std::move(drawn));
-        known = &drawn_.drawing.joints.back();
+        drawing_.joints.push_back(std::move(drawn));
+        known = &drawing_.joints.back();
       }
       join(*known, joint.first);
       join(*known, joint.second);
@@ -79,32 +80,31 @@ class Draughtsman {
   void add_points() {
     for (const NamedPoint& point : mechanism_.points) {
       if (point.at.body == 0 || find(point.name)) continue;
-      drawn_.drawing.joints.push_back({.name = point.name,
-                                       .of = {static_cast<std::size_t>(point.at.body)},
-                                       .at = place(point.at),
-                                       .where = {}});
+      drawing_.joints.push_back({.name = point.name,
+                                 .of = {static_cast<std::size_t>(point.at.body)},
+                                 .at = place(point.at),
+                                 .where = {}});
     }
   }
 
   void name_links() {
-    drawn_.drawing.links = mechanism_.bodies;
+    drawing_.links = mechanism_.bodies;
     for (std::size_t i = 0; i < mechanism_.bodies.size(); ++i) {
-      std::string& name = drawn_.drawing.links[i];
+      std::string& name = drawing_.links[i];
       while (i > 0 && find(name)) name += "-link";
-      drawn_.link_of_body.push_back(i);
     }
   }
 
   const NamedMechanism& mechanism_;
   MechanismMotion<0> motion_;
   std::vector<std::string> names_;
-  DrawnMechanism drawn_;
+  reading::Drawing drawing_;
 };
 
 }  // namespace
 
-tl::expected<DrawnMechanism, std::string> drawing_of(const NamedMechanism& mechanism,
-                                                     double drive) {
+tl::expected<reading::Drawing, std::string> drawing_of(const NamedMechanism& mechanism,
+                                                       double drive) {
   return Draughtsman(mechanism).draw(drive);
 }
 

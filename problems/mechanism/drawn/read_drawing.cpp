@@ -74,7 +74,7 @@ class DrawingReader {
 
   Drawing take() { return std::move(drawing_); }
 
-  /// What may share no name: joints and links, but for those of one slider.
+  /// Joints and links share no name.
   void check_names() {
     for (const DrawnJoint& joint : drawing_.joints) {
       if (!numbers_.contains(joint.name)) continue;
@@ -113,8 +113,9 @@ class DrawingReader {
       }
       return;
     }
-    if (!table.has(kAt))
+    if (!table.has(kAt)) {
       table.fault(kAt, "is missing; expected [x, y], or the direction_deg of a slide");
+    }
     const Two at = table.two(kAt, kQuantity, "[x, y]").value_or(Two{});
     joint.at = {at[0], at[1]};
   }
@@ -131,9 +132,7 @@ class DrawingReader {
 
   std::string moving_links() const {
     std::vector<std::string_view> links(drawing_.links.begin() + 1, drawing_.links.end());
-    constexpr std::size_t kMostListed = 20;
-    if (links.size() > kMostListed) links.resize(kMostListed);
-    return links.empty() ? "there is none" : quoted_list(links);
+    return links.empty() ? "there is none" : listed(std::move(links));
   }
 
   FaultList& faults_;
