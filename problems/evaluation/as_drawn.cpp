@@ -86,7 +86,7 @@ AnalysisProblem with(const NamedMechanism& drawn, const reading::Drawing& drawin
     load.between->first -= zero;
     load.between->second -= zero;
   }
-  problem.output = {};
+  problem.output = {};  // what names points by their numbers
   problem.tolerances.reset();
   problem.layers.reset();
   return problem;
@@ -136,6 +136,7 @@ tl::expected<Table, std::string> written_as_drawn(const AnalysisProblem& problem
   const auto entry = std::ranges::find(written.document, "mechanism", &Entry::key);
   entry->node = reading::node(mechanism);
   name_joints_of_loads(problem, *drawn, written.document);
+  std::erase_if(written.document, [](const Entry& table) { return table.key == "output"; });
   return std::move(written.document);
 }
 
