@@ -41,6 +41,14 @@ AssemblyFault fault_of(const Cylinder<double>& dyad, const Reach& reach) {
   return fault_of(Rrr<double>{dyad.base, dyad.pivot, length, dyad.length}, reach);
 }
 
+AssemblyFault fault_of(const Group& /*group*/, const Reach& /*reach*/) {
+  return {AssemblyFaultKind::group_open, 0, 0, 0, 0};
+}
+
+AssemblyFault fault_of(const GroupRest& /*rest*/, const Reach& /*reach*/) {
+  return {AssemblyFaultKind::group_open, 0, 0, 0, 0};
+}
+
 bool is_placed(const BodyMotion<double, 0>& body) {
   return std::isfinite(body.direction.x) && std::isfinite(body.origin[0].x) &&
          std::isfinite(body.origin[0].y);
@@ -60,7 +68,8 @@ std::optional<AssemblyFault> assembly_fault(const Mechanism<double>& mechanism, 
   }
   for (std::size_t i = 0; i < mechanism.dyads.size(); ++i) {
     const auto next = static_cast<std::size_t>(first_body(mechanism, static_cast<int>(i)));
-    const bool closes = motion.closures()[i].discriminant >= 0 &&
+    const bool is_group = std::holds_alternative<Group>(mechanism.dyads[i]);
+    const bool closes = !is_group && motion.closures()[i].discriminant >= 0 &&
                         is_placed(motion.bodies()[next]) && is_placed(motion.bodies()[next + 1]);
     if (closes) continue;
     const Reach reach = cognate::reach(mechanism.dyads[i], motion.bodies().first(next), drive);

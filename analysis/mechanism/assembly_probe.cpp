@@ -36,19 +36,21 @@ void AssemblyProbe::keep_to(int index) {
 
 const DyadClosure<Dual>& AssemblyProbe::closure(const AssemblyRange& run, double drive, int index) {
   sides_or_none_at(run, drive, sides_);
-  return evaluate_at(drive, index);
+  return evaluate_at(run, drive, index);
 }
 
-const DyadClosure<Dual>& AssemblyProbe::evaluate_at(double drive, int index) {
+const DyadClosure<Dual>& AssemblyProbe::evaluate_at(const AssemblyRange& run, double drive,
+                                                    int index) {
   for (std::size_t i = 0; i < sides_.size(); ++i) dual_sides_[i] = Dual(sides_[i]);
   keep_to(index);
+  place_groups(run, drive, std::span(bodies_));
   evaluate<0>(dual_, dual_drive(mechanism_, drive), dual_sides_, bodies_, closures_);
   return closures_[static_cast<std::size_t>(index)];
 }
 
 Reach AssemblyProbe::dyad_reach(const AssemblyRange& run, double drive, int index) {
   sides_at(run, drive, sides_);
-  evaluate_at(drive, index);
+  evaluate_at(run, drive, index);
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const BodyMotion<Dual, 0>& body = bodies_[i];
     places_[i].direction = {body.direction.x.value, body.direction.y.value};

@@ -36,7 +36,7 @@ class AssemblyProbe {
 
  private:
   /// The closure of dyad `index` with `sides_`.
-  const DyadClosure<Dual>& evaluate_at(double drive, int index);
+  const DyadClosure<Dual>& evaluate_at(const AssemblyRange& run, double drive, int index);
 
   /// Leaves the dyads to evaluate at those that dyad `index` may depend on, and itself.
   void keep_to(int index);

@@ -41,17 +41,25 @@ class Follower {
     // angles, where much happens, are not among the places looked at.
     const double beyond = 0.618 * assembly_ranges_.scale * kTurn / kCellsPerTurn;
     const double sense = end < start ? -1 : 1;
-    assembly_ranges_.runs.push_back({std::min(start, end) - beyond,
-                                     std::max(start, end) + beyond,
-                                     start + sense * 2 * kSamePlace * assembly_ranges_.scale,
-                                     sides(mechanism),
-                                     {}});
+    const auto [low, high] = with_drawn_positions();
+    assembly_ranges_.runs.push_back(
+        {.from = low - beyond,
+         .to = high + beyond,
+         .anchor = start + sense * 2 * kSamePlace * assembly_ranges_.scale,
+         .sides = sides(mechanism),
+         .changes = {},
+         .tracks = {}});
   }
 
   AssemblyRanges follow() {
     for (int i = 0; i < static_cast<int>(mechanism_.dyads.size()); ++i) {
+      const Dyad<double>& dyad = mechanism_.dyads[static_cast<std::size_t>(i)];
+      if (std::holds_alternative<GroupRest>(dyad)) continue;
+      const auto* group = std::get_if<Group>(&dyad);
       std::vector<AssemblyRange> runs;
-      for (const AssemblyRange& run : assembly_ranges_.runs) cut(run, i, runs);
+      for (const AssemblyRange& run : assembly_ranges_.runs) {
+        group ? cut_group(run, i, *group, runs) : cut(run, i, runs);
+      }
       assembly_ranges_.runs = std::move(runs);
     }
     clip();
@@ -68,6 +76,26 @@ class Follower {
     bool closes() const { return closeness.margin > -closeness.rounding; }
     bool touches() const { return is_least && std::abs(closeness.margin) <= closeness.rounding; }
   };
+
+  /// Where the drive is while `group` is drawn: of those of a drive that turns, the nearest to the
+  /// start.
+  double drawn_position(const Group& group) const {
+    if (driven_by_length(mechanism_.drive)) return group.drive;
+    const double start = assembly_ranges_.start;
+    return start + std::remainder(group.drive - start, kTurn);
+  }
+
+  /// The ends of the motion, and beyond them where groups are drawn.
+  std::pair<double, double> with_drawn_positions() const {
+    auto [low, high] = std::minmax({assembly_ranges_.start, assembly_ranges_.end});
+    for (const Dyad<double>& dyad : mechanism_.dyads) {
+      const auto* group = std::get_if<Group>(&dyad);
+      if (!group) continue;
+      low = std::min(low, drawn_position(*group));
+      high = std::max(high, drawn_position(*group));
+    }
+    return {low, high};
+  }
 
   Sample sample(const AssemblyRange& run, double drive, int dyad) {
     Sample sample{drive, probe_.closeness(run, drive, dyad)};
@@ -147,6 +175,46 @@ class Follower {
     }
   }
 
+  /// Where in `run` the drive is as while `group` is drawn, in every turn.
+  std::vector<double> drawn_positions(const Group& group, const AssemblyRange& run) const {
+    std::vector<double> all;
+    const double drawn = drawn_position(group);
+    if (driven_by_length(mechanism_.drive)) {
+      if (run.from <= drawn && drawn <= run.to) all.push_back(drawn);
+      return all;
+    }
+    for (double turn = std::ceil((run.from - drawn) / kTurn);; ++turn) {
+      if (drawn + turn * kTurn > run.to) return all;
+      all.push_back(drawn + turn * kTurn);
+    }
+  }
+
+  /// Adds the parts of `run` along which the group at `dyad` can be followed from where it is
+  /// drawn.
+  void cut_group(const AssemblyRange& run, int dyad, const Group& group,
+                 std::vector<AssemblyRange>& runs) {
+    double end = run.from;
+    for (const double drawn : drawn_positions(group, run)) {
+      if (drawn < end) continue;
+      auto track = track_group({mechanism_, run, assembly_ranges_.scale}, dyad, drawn, stop_);
+      if (!track) continue;
+      end = track->to();
+      add_tracked(run, dyad, std::move(*track), runs);
+    }
+  }
+
+  /// Adds the part of `run` along which the group at `dyad` is followed.
+  void add_tracked(const AssemblyRange& run, int dyad, GroupTrack track,
+                   std::vector<AssemblyRange>& runs) const {
+    AssemblyRange part;
+    part.from = track.from();
+    part.to = track.to();
+    part.from_dyad = part.from > run.from ? dyad : run.from_dyad;
+    part.to_dyad = part.to < run.to ? dyad : run.to_dyad;
+    runs.push_back(finished(run, part, {}));
+    runs.back().tracks.push_back(std::make_shared<const GroupTrack>(std::move(track)));
+  }
+
   /// `part` of `run`, with the changes of the dyads before and its own.
   AssemblyRange finished(const AssemblyRange& run, const AssemblyRange& part,
                          const std::vector<Change>& changes) const {
@@ -156,6 +224,7 @@ class Follower {
     result.anchor = holds_anchor ? run.anchor : entry;
     result.sides = sides_at(run, result.anchor);
     result.changes = changes;
+    result.tracks = run.tracks;
     for (const Change& change : run.changes) {
       if (part.from <= change.drive && change.drive <= part.to) result.changes.push_back(change);
     }

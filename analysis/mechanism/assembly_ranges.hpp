@@ -3,9 +3,11 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "analysis/mechanism/group_track.hpp"
 #include "analysis/mechanism/mechanism.hpp"
 
 namespace cognate {
@@ -48,6 +50,7 @@ struct AssemblyRange {
   std::vector<Change> changes;
   int from_dyad = -1;  ///< the dyad that ends the range at `from`; −1: the motion starts or ends
   int to_dyad = -1;
+  std::vector<std::shared_ptr<const GroupTrack>> tracks;  ///< of its groups, in their order
 };
 
 /// The signs of the assemblies at a position in `run`, one for each dyad.
@@ -60,9 +63,17 @@ void sides_at(const AssemblyRange& run, double drive, std::span<double> sides);
 /// what rounding leaves there would be half of the digits, in all that moves with the dyad.
 void sides_or_none_at(const AssemblyRange& run, double drive, std::span<double> sides);
 
+/// Puts the bodies of the groups of `run` where they stand at `drive` but for a small error, from
+/// which `evaluate` closes them.
+template <class T, int Order>
+void place_groups(const AssemblyRange& run, double drive, std::span<BodyMotion<T, Order>> bodies) {
+  for (const auto& track : run.tracks) track->place(drive, bodies);
+}
+
 /// The motion from `start` to `end` of the drive (`end` may be the less): with the described
 /// assemblies at `start`, and through change points smoothly. Beyond a gap the dyads that could not
-/// be assembled in it are as described again.
+/// be assembled in it are as described again; a group has the one range that holds the position in
+/// which it is drawn.
 struct AssemblyRanges {
   double start = 0;
   double end = 0;

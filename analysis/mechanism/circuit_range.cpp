@@ -38,6 +38,50 @@ struct Branch {
   const AssemblyRange& run() const { return assembly_ranges.runs.front(); }
 };
 
+using GroupPlaces = std::vector<BodyMotion<double, 0>>;
+
+/// Where the groups of a mechanism stand at an end of `run`; bodies of none stand at the origin.
+GroupPlaces group_places(const Mechanism<double>& mechanism, const AssemblyRange& run, double end) {
+  GroupPlaces bodies(static_cast<std::size_t>(body_count(mechanism)));
+  place_groups(run, end, std::span(bodies));
+  return bodies;
+}
+
+/// Whether bodies stand at the same places. Two assemblies are farther apart than this.
+bool are_same(const GroupPlaces& a, const GroupPlaces& b) {
+  constexpr double kSamePlace = 1e-5;
+  double size = 0, apart = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    size = std::max(size, norm(a[i].origin[0]));
+    apart = std::max(apart, norm(a[i].origin[0] - b[i].origin[0]));
+    if (norm(a[i].direction - b[i].direction) > kSamePlace) return false;
+  }
+  return apart <= kSamePlace * size;
+}
+
+/// Draws the groups of a mechanism where they stand at the end of a branch, `at_from` or at the
+/// greater drive; one at its dead point on the other side of that. False where that is not known.
+bool redraw_groups(Mechanism<double>& mechanism, const AssemblyRange& run, bool at_from,
+                   int dead_dyad) {
+  const double end = at_from ? run.from : run.to;
+  const auto bodies = group_places(mechanism, run, end);
+  auto track = run.tracks.begin();
+  for (int i = 0; i < static_cast<int>(mechanism.dyads.size()); ++i) {
+    auto* group = std::get_if<Group>(&mechanism.dyads[static_cast<std::size_t>(i)]);
+    if (!group) continue;
+    const auto& beyond = (*track++)->beyond()[at_from ? 0 : 1];
+    if (i == dead_dyad && !beyond) return false;
+    group->drive = i == dead_dyad ? beyond->drive : end;
+    const auto first = static_cast<std::size_t>(first_body(mechanism, i));
+    for (std::size_t k = 0; k < group->drawn.size(); ++k) {
+      const auto& body = bodies[first + k];
+      group->drawn[k] =
+          i == dead_dyad ? beyond->bodies[k] : Placement{body.origin[0], body.direction};
+    }
+  }
+  return true;
+}
+
 /// Goes through the branches of a circuit.
 class Circuit {
  public:
@@ -48,7 +92,7 @@ class Circuit {
     const auto back = branch(drive, -1, sides);
     if (!back) return std::nullopt;
     if (back->dyad < 0) return over_turns(drive, sides);
-    return round(back->end, sides_at(back->run(), back->end));
+    return round(*back);
   }
 
  private:
@@ -106,7 +150,10 @@ class Circuit {
   }
 
   /// From the dead point `start`, upwards first, until that comes again.
-  std::optional<CircuitRange> round(double start, const std::vector<double>& first_sides) {
+  std::optional<CircuitRange> round(const Branch& first) {
+    const double start = first.end;
+    const std::vector<double> first_sides = sides_at(first.run(), start);
+    const auto first_places = group_places(mechanism_, first.run(), start);
     std::vector<double> sides = first_sides;
     double place = start, value = 0, least = 0, greatest = 0;
     for (int i = 0, sense = 1; i < kMostBranches; ++i, sense = -sense) {
@@ -120,10 +167,12 @@ class Circuit {
       greatest = std::max(greatest, value + (range->greatest.value - entry.value));
       value += exit.value - entry.value;
       sides = sides_at(next->run(), next->end);
-      double& flipped = sides[static_cast<std::size_t>(next->dyad)];
-      flipped = -flipped;
+      const auto dead = static_cast<std::size_t>(next->dyad);
+      if (!std::holds_alternative<Group>(mechanism_.dyads[dead])) sides[dead] = -sides[dead];
+      const auto places = group_places(mechanism_, next->run(), next->end);
+      if (!redraw_groups(mechanism_, next->run(), sense < 0, next->dyad)) return std::nullopt;
       place = next->end;
-      const bool is_back = sense < 0 && sides == first_sides;
+      const bool is_back = sense < 0 && sides == first_sides && are_same(places, first_places);
       if (is_back && std::abs(place - start) <= kSameRange * scale_) {
         const bool came_round = !travel_.slides && std::abs(value) > 1;
         return came_round ? CircuitRange{kTurn, true} : result(greatest - least);

@@ -7,7 +7,8 @@
 
 namespace cognate {
 
-/// Carries every number of a mechanism over to T by `lift`, called once for each, in order.
+/// Carries every number of a mechanism over to T by `lift`, called once for each, in order; those
+/// of groups stay as they are.
 template <class T, class Lift>
 class Converter {
  public:
@@ -49,6 +50,8 @@ class Converter {
   Cylinder<T> of(const Cylinder<double>& d) {
     return {of(d.base), of(d.pivot), of(d.length), d.assembly};
   }
+  Group of(const Group& group) { return group; }
+  GroupRest of(const GroupRest& rest) { return rest; }
 
   Lift lift_;
 };

@@ -56,6 +56,15 @@ Reach reach_of(const Cylinder<double>& dyad, Bodies bodies, double length) {
   return reach_of(Rrr<double>{dyad.base, dyad.pivot, std::abs(length), dyad.length}, bodies);
 }
 
+/// What a group can reach is not known by a formula.
+Reach reach_of(const Group&, Bodies) {
+  return {.most = kUnbounded};
+}
+
+Reach reach_of(const GroupRest&, Bodies) {
+  return {.most = kUnbounded};
+}
+
 /// Of a² − b² of lengths a and b that may be off by `tolerance` against each other; at least what
 /// `least`, the rounding of either, makes of it.
 double of_square_difference(double a, double b, double tolerance, double least) {

@@ -14,6 +14,18 @@
 
 namespace cognate {
 
+/// Moves `motion` to `drive`, its groups as a motion from where they are drawn leads there.
+template <int Order>
+bool move_followed(MechanismMotion<Order>& motion, double drive) {
+  if (has_groups(motion.mechanism())) {
+    const AssemblyRanges ranges = follow(motion.mechanism(), drive, drive);
+    const AssemblyRange* run = ranges.range_at(drive);
+    if (run == nullptr) return false;
+    place_groups(*run, drive, motion.places());
+  }
+  return motion.move_to(drive);
+}
+
 /// A mechanism with room for its state, moved along assembly ranges: with the signs of the
 /// assemblies that the motion has there, and across change points. On a change point itself the
 /// closure is singular and the motion is not; there all is interpolated from six positions about
@@ -90,6 +102,7 @@ class FollowedMotion {
   /// Moves the mechanism to `drive` with the assemblies that it has there.
   bool assemble(const AssemblyRange& run, double drive) {
     sides_or_none_at(run, drive, motion_.sides());
+    place_groups(run, drive, motion_.places());
     return motion_.move_to(drive);
   }
 

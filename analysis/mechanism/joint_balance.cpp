@@ -1,8 +1,11 @@
 #include "analysis/mechanism/joint_balance.hpp"
 
+#include <Eigen/LU>
 #include <cmath>
 #include <cstddef>
 #include <variant>
+
+#include "analysis/mechanism/group_equations.hpp"
 
 namespace cognate {
 namespace {
@@ -61,6 +64,8 @@ struct JointBalance::DyadJointsOf {
   DyadJoints operator()(const Cylinder<double>& dyad) const {
     return {.outer = {pin(dyad.base), pin(dyad.pivot)}, .by_reach = {0, 1 / dyad.length}};
   }
+  DyadJoints operator()(const Group&) const { return {}; }
+  DyadJoints operator()(const GroupRest&) const { return {}; }
 };
 
 JointBalance::JointBalance(const Mechanism<double>& mechanism)
@@ -68,8 +73,12 @@ JointBalance::JointBalance(const Mechanism<double>& mechanism)
       drive_bodies_(static_cast<std::size_t>(drive_bodies(mechanism))),
       bodies_(static_cast<std::size_t>(body_count(mechanism))) {
   dyads_.reserve(mechanism.dyads.size());
-  for (const Dyad<double>& dyad : mechanism.dyads) {
-    dyads_.push_back(std::visit(DyadJointsOf{}, dyad));
+  for (std::size_t i = 0; i < mechanism.dyads.size(); ++i) {
+    dyads_.push_back(std::visit(DyadJointsOf{}, mechanism.dyads[i]));
+    const auto* group = std::get_if<Group>(&mechanism.dyads[i]);
+    if (!group) continue;
+    const auto last = 1 + drive_bodies_ + 2 * i + group->drawn.size();
+    groups_.push_back({*group, i, std::vector<BodyMotion<double, 0>>(last)});
   }
 }
 
@@ -128,6 +137,38 @@ void JointBalance::solve_dyad(const DyadJoints& dyad, const LoadedBody& first,
   double moment = second.required.moment - inner.moment;
   if (dyad.inner_slides) moment -= cross(first.origin - second.origin, inner.force);
   reactions[2] = outer_slide(dyad.outer[1], second, of_second, moment);
+}
+
+void JointBalance::solve_group(GroupJoints& joints, std::span<Reaction> reactions) {
+  const auto& [group, dyad, bodies] = joints;
+  const std::size_t first = bodies.size() - group.drawn.size();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    joints.bodies[i].origin[0] = bodies_[i].origin;
+    joints.bodies[i].direction = bodies_[i].direction;
+  }
+  const GroupEquations equations(group, first);
+  GroupVector required(equations.size());
+  for (std::size_t i = 0; i < group.drawn.size(); ++i) {
+    const Wrench& wrench = bodies_[first + i].required;
+    const auto row = static_cast<Eigen::Index>(3 * i);
+    required[row] = wrench.force.x;
+    required[row + 1] = wrench.force.y;
+    required[row + 2] = wrench.moment / equations.arm();
+  }
+  const GroupMatrix matrix = equations.matrix<0>(bodies).transpose();
+  const GroupVector found = Eigen::PartialPivLU<GroupMatrix>(matrix).solve(required);
+  for (std::size_t i = 0; i < group.joints.size(); ++i) {
+    const GroupJoint& joint = group.joints[i];
+    const auto row = static_cast<Eigen::Index>(2 * i);
+    const LoadedBody& second = bodies_[static_cast<std::size_t>(joint.second.body)];
+    LoadedBody& before = bodies_[static_cast<std::size_t>(joint.first.body)];
+    const Vec2d across = perp(before.direction * joint.along_first);
+    reactions[i] = joint.slides ? Reaction{found[row + 1] * across, found[row] * equations.arm()}
+                                : Reaction{{found[row], found[row + 1]}};
+    if (static_cast<std::size_t>(joint.first.body) >= first) continue;
+    const Vec2d at = second.origin + second.direction * joint.second.at;
+    take(before, at - before.origin, -reactions[i].force, -reactions[i].moment);
+  }
 }
 
 double JointBalance::solve_drive(const Crank<double>& crank, std::span<Reaction> reactions) {
@@ -197,7 +238,14 @@ bool JointBalance::solve(Forces& forces) {
   const std::span<Reaction> reactions = forces.reactions;
   const std::size_t of_drive = drive_joints();
   const std::size_t with_drive = drives_cylinder() ? 1 : 0;
+  auto group = groups_.rbegin();
   for (std::size_t i = dyads_.size(); i-- > with_drive;) {
+    if (group != groups_.rend() && i < group->dyad + group->group.drawn.size() / 2) {
+      if (i > group->dyad) continue;
+      solve_group(*group, reactions.subspan(of_drive + 3 * i, group->group.joints.size()));
+      ++group;
+      continue;
+    }
     const LoadedBody* pair = &bodies_[1 + drive_bodies_ + 2 * i];
     solve_dyad(dyads_[i], pair[0], pair[1], reactions.subspan(of_drive + 3 * i).first<3>());
   }

@@ -3,7 +3,9 @@
 /// Each body of a dyad gives one equation free of its outer joint: the moment about its outer pin,
 /// or the force along its outer guide. The two determine the inner joint; their determinant is the
 /// sine of the dyad's transmission angle. So lengths are never weighed against pure numbers, the
-/// unit of length does not matter, and precision is lost near dead points alone, as 1/sine.
+/// unit of length does not matter, and precision is lost near dead points alone, as 1/sine. The
+/// joints of a group are solved for together, by the transposed matrix of its closure: what closes
+/// a joint is also what its force does work on.
 #pragma once
 
 #include <array>
@@ -13,6 +15,7 @@
 
 #include "analysis/mechanism/forces.hpp"
 #include "analysis/mechanism/mechanism.hpp"
+#include "analysis/mechanism/motion_state.hpp"
 
 namespace cognate {
 
@@ -61,6 +64,12 @@ class JointBalance {
     std::array<double, 2> by_reach{};
   };
   struct DyadJointsOf;
+  /// A group, its number among the dyads, and room for the places of its bodies and those before.
+  struct GroupJoints {
+    Group group;
+    std::size_t dyad = 0;
+    std::vector<BodyMotion<double, 0>> bodies;
+  };
 
   Reaction inner_reaction(const DyadJoints& dyad, const LoadedBody& first,
                           const LoadedBody& second) const;
@@ -69,6 +78,7 @@ class JointBalance {
                        double moment);
   void solve_dyad(const DyadJoints& dyad, const LoadedBody& first, const LoadedBody& second,
                   std::span<Reaction, 3> reactions);
+  void solve_group(GroupJoints& group, std::span<Reaction> reactions);
   double solve_drive(const Crank<double>& crank, std::span<Reaction> reactions);
   double solve_drive(const DrivingSlider<double>& slider, std::span<Reaction> reactions);
   double solve_drive(const FloatingLink<double>& link, std::span<Reaction> reactions);
@@ -83,6 +93,7 @@ class JointBalance {
   Drive<double> drive_;
   std::size_t drive_bodies_;
   std::vector<DyadJoints> dyads_;
+  std::vector<GroupJoints> groups_;
   std::vector<LoadedBody> bodies_;
 };
 

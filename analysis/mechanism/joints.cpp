@@ -61,6 +61,24 @@ std::vector<Joint> joints_of(const Cylinder<double>& dyad, int n) {
           revolute(dyad.pivot.body, n + 1, dyad.pivot)};
 }
 
+std::vector<Joint> joints_of(const Group& group, int) {
+  std::vector<Joint> joints;
+  for (const GroupJoint& joint : group.joints) {
+    joints.push_back({joint.slides ? JointType::prismatic : JointType::revolute, joint.first.body,
+                      joint.second.body, joint.second, joint.along_second});
+  }
+  return joints;
+}
+
+std::vector<Joint> joints_of(const GroupRest&, int) {
+  return {};
+}
+
+int bodies_of(const Dyad<double>& dyad) {
+  if (const auto* group = std::get_if<Group>(&dyad)) return static_cast<int>(group->drawn.size());
+  return std::holds_alternative<GroupRest>(dyad) ? 0 : 2;
+}
+
 void append(JointList& list, int first_body, int bodies, const std::vector<Joint>& joints) {
   list.groups.push_back(
       {first_body, bodies, static_cast<int>(list.joints.size()), static_cast<int>(joints.size())});
@@ -75,9 +93,9 @@ JointList joints(const Mechanism<double>& mechanism) {
          std::visit([](const auto& member) { return joints_of(member); }, mechanism.drive));
   for (int i = 0; i < static_cast<int>(mechanism.dyads.size()); ++i) {
     const int n = first_body(mechanism, i);
-    append(list, n, 2,
-           std::visit([n](const auto& group) { return joints_of(group, n); },
-                      mechanism.dyads[static_cast<std::size_t>(i)]));
+    const Dyad<double>& dyad = mechanism.dyads[static_cast<std::size_t>(i)];
+    append(list, n, bodies_of(dyad),
+           std::visit([n](const auto& group) { return joints_of(group, n); }, dyad));
   }
   return list;
 }

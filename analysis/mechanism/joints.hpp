@@ -23,7 +23,8 @@ struct Joint {
 };
 
 /// Bodies that are determined together, and the joints to the bodies before them:
-/// the drive (its bodies and joints, and one more unknown, the driving torque or force) or a dyad.
+/// the drive (its bodies and joints, and one more unknown, the driving torque or force), a dyad or
+/// a group; none for what says that bodies belong to the group before.
 struct JointGroup {
   int first_body = 0;
   int bodies = 0;
@@ -39,7 +40,8 @@ struct JointList {
 
 /// Joints in the order of the bodies: of a crank its pivot; of a driving slider its guide; of a
 /// floating link its two pins, then its two guides; of a dyad the outer joint of its first body,
-/// the inner joint (first → second body), the outer joint of its second body.
+/// the inner joint (first → second body), the outer joint of its second body; of a group those that
+/// it lists.
 JointList joints(const Mechanism<double>& mechanism);
 
 }  // namespace cognate

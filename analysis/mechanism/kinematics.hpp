@@ -11,6 +11,7 @@
 
 #include "analysis/mechanism/cylinder_motion.hpp"
 #include "analysis/mechanism/dyad_motion.hpp"
+#include "analysis/mechanism/group_closure.hpp"
 #include "analysis/mechanism/mechanism.hpp"
 #include "analysis/mechanism/motion_state.hpp"
 #include "analysis/mechanism/motion_terms.hpp"
@@ -94,6 +95,10 @@ DrivePosition<double> drive_position(const Mechanism<double>& mechanism, double 
 /// cannot be assembled, its bodies and all that depend on them are not numbers; at a dead point
 /// derivatives are infinite or not numbers. Allocates nothing, and neither branches on values of T
 /// nor uses trigonometry. Lengths are 0 or from 1e-100 to 1e100.
+///
+/// Of a group `bodies` hold where its bodies stand at a position nearby, from which it is closed
+/// (analysis/mechanism/group_closure.hpp); over number types other than double and Dual they are
+/// not numbers.
 template <int Order, class T>
 void evaluate(const Mechanism<T>& mechanism, const DrivePosition<std::type_identity_t<T>>& drive,
               std::span<const std::type_identity_t<T>> sides,
@@ -107,22 +112,28 @@ void evaluate(const Mechanism<T>& mechanism, const DrivePosition<std::type_ident
   auto next = static_cast<std::size_t>(first_body(mechanism, 0));
   for (std::size_t i = 0; i < mechanism.dyads.size(); ++i, next += 2) {
     const BodiesBefore<T, Order> before = bodies.first(next);
-    const DyadMotion<T, Order> dyad = std::visit(
-        [&](const auto& group) {
-          if constexpr (std::is_same_v<decltype(group), const Rrr<T>&>) {
-            const bool on_crank = is_crank && group.first.body + group.second.body == 1;
-            if (on_crank) return close_on_crank<Order, T>(group, sides[i], before);
-          }
-          if constexpr (std::is_same_v<decltype(group), const Cylinder<T>&>) {
-            return close_cylinder<Order, T>(group, drive.displacement, sides[i], before, bodies[1]);
+    const auto take = [&](const DyadMotion<T, Order>& dyad) {
+      bodies[next] = dyad.first;
+      bodies[next + 1] = dyad.second;
+      closures[i] = dyad.closure;
+    };
+    std::visit(
+        [&]<class Closing>(const Closing& group) {
+          if constexpr (std::is_same_v<Closing, Group>) {
+            closures[i] = close_group<Order, T>(group, next, sides[i], bodies);
+          } else if constexpr (std::is_same_v<Closing, GroupRest>) {
+            closures[i] = closures[i - 1];
+          } else if constexpr (std::is_same_v<Closing, Cylinder<T>>) {
+            take(close_cylinder<Order, T>(group, drive.displacement, sides[i], before, bodies[1]));
           } else {
-            return close_dyad<Order, T>(group, sides[i], before);
+            if constexpr (std::is_same_v<Closing, Rrr<T>>) {
+              const bool on_crank = is_crank && group.first.body + group.second.body == 1;
+              if (on_crank) return take(close_on_crank<Order, T>(group, sides[i], before));
+            }
+            take(close_dyad<Order, T>(group, sides[i], before));
           }
         },
         mechanism.dyads[i]);
-    bodies[next] = dyad.first;
-    bodies[next + 1] = dyad.second;
-    closures[i] = dyad.closure;
   }
 }
 
@@ -135,7 +146,13 @@ class MechanismMotion {
       : mechanism_(mechanism),
         sides_(cognate::sides(mechanism)),
         bodies_(static_cast<std::size_t>(body_count(mechanism))),
-        closures_(mechanism.dyads.size()) {}
+        closures_(mechanism.dyads.size()) {
+    for (std::size_t i = 0; i < mechanism.dyads.size(); ++i) {
+      const auto* group = std::get_if<Group>(&mechanism.dyads[i]);
+      const auto first = static_cast<std::size_t>(first_body(mechanism, static_cast<int>(i)));
+      if (group) place_drawn(*group, std::span(bodies_).subspan(first));
+    }
+  }
 
   /// Moves to a drive coordinate (radians or length); whether every body has a place there.
   /// Derivatives may still be infinite or not numbers, at a dead point.
@@ -157,6 +174,10 @@ class MechanismMotion {
   std::array<Vec2d, Order + 1> point(const Attached<double>& point) const {
     return point_motion(bodies_[static_cast<std::size_t>(point.body)], point.at);
   }
+
+  /// Where groups are closed from at the next move: they stand where they stood last, at first
+  /// where they are drawn.
+  std::span<BodyMotion<double, Order>> places() { return bodies_; }
 
   /// The signs of the assemblies; flip one to go on through a change point.
   std::span<double> sides() { return sides_; }

@@ -1,8 +1,10 @@
-/// @file A planar mechanism as data: a driving member and class II Assur groups (dyads).
+/// @file A planar mechanism as data: a driving member and Assur groups, of class II (dyads) or
+/// higher.
 ///
 /// Bodies are numbered: 0 is the frame, then the bodies of the drive, then two for each dyad in the
 /// order of the list. A dyad joins points and guides of bodies before it, so a mechanism of any
 /// number of dyads has the mobility one of its drive and is evaluated from the front to the back.
+/// A group of 2n bodies that close together takes the places of n dyads.
 ///
 /// Each body has axes of its own, an origin and a unit vector, in which its points are given:
 ///
@@ -23,6 +25,7 @@
 ///     PRP  both         origin at the inner joint, first axis along their guides
 ///     RPP  first        (the block) origin at the point, first axis along the slot
 ///          second       origin where slot and guide cross, first axis along the guide
+///     group             as the group has them
 ///
 /// The number type may be double, a dual number (exact derivatives by the dimensions), a SIMD pack
 /// (many designs at once) or one of extended precision.
@@ -32,16 +35,11 @@
 #include <vector>
 
 #include "analysis/mechanism/assembly.hpp"
+#include "analysis/mechanism/attached.hpp"
+#include "analysis/mechanism/group.hpp"
 #include "analysis/numbers/vec2.hpp"
 
 namespace cognate {
-
-/// A point fixed on a body, in the body's axes.
-template <class T>
-struct Attached {
-  int body = 0;
-  Vec2<T> at{};
-};
 
 /// A directed straight guide fixed on a body: the line parallel to `direction` (a unit vector) at
 /// the signed distance `offset` from the point `through`, positive to the left of the direction.
@@ -145,9 +143,10 @@ struct Cylinder {
   Assembly assembly = Assembly::open;
 };
 
-/// Two bodies that close on what is there before: one of these.
+/// Two bodies that close on what is there before: one of these. A group stands first of its places,
+/// a `GroupRest` in each of the others.
 template <class T>
-using Dyad = std::variant<Rrr<T>, Rrp<T>, Rpr<T>, Prp<T>, Rpp<T>, Cylinder<T>>;
+using Dyad = std::variant<Rrr<T>, Rrp<T>, Rpr<T>, Prp<T>, Rpp<T>, Cylinder<T>, Group, GroupRest>;
 
 /// A drive and dyads, in the order in which they close.
 template <class T>
@@ -155,6 +154,15 @@ struct Mechanism {
   Drive<T> drive = Crank<T>{};
   std::vector<Dyad<T>> dyads;
 };
+
+/// Whether it has groups other than dyads.
+template <class T>
+bool has_groups(const Mechanism<T>& mechanism) {
+  for (const Dyad<T>& dyad : mechanism.dyads) {
+    if (std::holds_alternative<Group>(dyad)) return true;
+  }
+  return false;
+}
 
 /// How many bodies the drive has: 1, and 3 for a floating link with its blocks.
 template <class T>

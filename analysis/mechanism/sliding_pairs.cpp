@@ -1,5 +1,8 @@
 #include "analysis/mechanism/sliding_pairs.hpp"
 
+#include <algorithm>
+#include <type_traits>
+
 namespace cognate {
 namespace {
 
@@ -47,6 +50,21 @@ Pairs pairs_of(const Cylinder<double>&, int) {
   return {};
 }
 
+/// Of a body with several slides the first.
+Pairs pairs_of(const Group& group, int) {
+  Pairs pairs;
+  for (const GroupJoint& joint : group.joints) {
+    const int slider = joint.second.body;
+    const bool is_known = std::ranges::find(pairs, slider, &SlidingPair::slider) != pairs.end();
+    if (joint.slides && !is_known) pairs.push_back({slider, joint.first, joint.along_first});
+  }
+  return pairs;
+}
+
+Pairs pairs_of(const GroupRest&, int) {
+  return {};
+}
+
 /// The bodies after whose angles those of a dyad's two bodies follow; −1 for one that turns by
 /// itself.
 struct Followed {
@@ -78,6 +96,19 @@ Followed followed_by(const Cylinder<double>&) {
   return {};
 }
 
+/// Appends to `turns` what the bodies of a group do: one that slides on another turns with it.
+void append_turns(const Group& group, std::vector<bool>& turns) {
+  turns.resize(turns.size() + group.drawn.size(), true);
+  for (std::size_t pass = 0; pass < group.drawn.size(); ++pass) {
+    for (const GroupJoint& joint : group.joints) {
+      const auto first = static_cast<std::size_t>(joint.first.body);
+      const auto second = static_cast<std::size_t>(joint.second.body);
+      const bool both = turns[first] && turns[second];
+      if (joint.slides) turns[first] = turns[second] = both;
+    }
+  }
+}
+
 }  // namespace
 
 SlidingPair on_guide(int slider, const Guide<double>& guide) {
@@ -101,11 +132,16 @@ std::vector<bool> turning_bodies(const Mechanism<double>& mechanism) {
   const auto append = [&](int followed) {
     turns.push_back(followed < 0 || turns[static_cast<std::size_t>(followed)]);
   };
-  for (const auto& dyad : mechanism.dyads) {
-    const auto followed = std::visit([](const auto& group) { return followed_by(group); }, dyad);
-    append(followed.first);
-    append(followed.second);
-  }
+  const auto append_all = [&]<class Closing>(const Closing& dyad) {
+    if constexpr (std::is_same_v<Closing, Group>) {
+      append_turns(dyad, turns);
+    } else if constexpr (!std::is_same_v<Closing, GroupRest>) {
+      const Followed followed = followed_by(dyad);
+      append(followed.first);
+      append(followed.second);
+    }
+  };
+  for (const auto& dyad : mechanism.dyads) std::visit(append_all, dyad);
   return turns;
 }
 

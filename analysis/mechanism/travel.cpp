@@ -1,5 +1,6 @@
 #include "analysis/mechanism/travel.hpp"
 
+#include <algorithm>
 #include <variant>
 
 namespace cognate {
@@ -46,6 +47,19 @@ struct OfDyad {
     append({first, true, {first, {first + 1, {0, 0}}, dyad.slot}}, sliding(first + 1, dyad.guide));
   }
   void operator()(const Cylinder<double>&) const { append(turning(first), turning(first + 1)); }
+  void operator()(const Group& group) const {
+    for (std::size_t i = 0; i < group.drawn.size(); ++i) {
+      const int body = first + static_cast<int>(i);
+      const auto slides = [&](const GroupJoint& joint) {
+        return joint.slides && joint.second.body == body;
+      };
+      const auto slide = std::ranges::find_if(group.joints, slides);
+      all.push_back(slide == group.joints.end()
+                        ? turning(body)
+                        : Travel{body, true, {body, slide->first, slide->along_first}});
+    }
+  }
+  void operator()(const GroupRest&) const {}
   void append(const Travel& of_first, const Travel& of_second) const {
     all.insert(all.end(), {of_first, of_second});
   }

@@ -49,12 +49,23 @@ constexpr Entry kRpp[] = {{"joins", "a point, of the block"},
                           {"slot_deg", "of the slot from the slide (default 90)"},
                           {"new", "name of the point where slot and slide cross"}};
 
+constexpr Entry kGroup[] = {
+    {"names", "of its bodies, an even number from 4 to 16"},
+    {"at", "[x, y] of each body's axes, as they stand at drive_deg"},
+    {"direction_deg", "of each body's first axis there"},
+    {"drive_deg", "the drive's position there; of a driving slider drive"},
+    {"joint",
+     "[[dyad.joint]], three for two bodies: {name, of = two bodies, at = [x, y] on each}; "
+     "of a slide direction_deg = [on the first, on the second]"}};
+
 /// With the names of VDI 2729, D a hinge and S a slide.
-constexpr KeyedEntry kDyads[] = {{"RRR", "two links and three hinges (VDI 2729: DDD)", kRrr},
-                                 {"RRP", "a link and a slider (DDS)", kRrp},
-                                 {"RPR", "a block that slides on a turning bar (DSD)", kRpr},
-                                 {"PRP", "two sliders with a common pin (SDS)", kPrp},
-                                 {"RPP", "a block in the slot of a slider (DSS)", kRpp}};
+constexpr KeyedEntry kDyads[] = {
+    {"RRR", "two links and three hinges (VDI 2729: DDD)", kRrr},
+    {"RRP", "a link and a slider (DDS)", kRrp},
+    {"RPR", "a block that slides on a turning bar (DSD)", kRpr},
+    {"PRP", "two sliders with a common pin (SDS)", kPrp},
+    {"RPP", "a block in the slot of a slider (DSS)", kRpp},
+    {"group", "more bodies that close together (class III, IV…)", kGroup}};
 
 constexpr Entry kJointTable[] = {
     {"name", "the joint's name"},

@@ -96,12 +96,19 @@ class ShapeBuilder {
   /// Body `traveller` moves with its origin along a line of body `bearer`, which reaches to both
   /// ends of its way.
   void add_rail(int bearer, const Vec2d& through, const Vec2d& direction, int traveller) {
+    add_rail(bearer, through, direction, Attached<double>{traveller, {}});
+  }
+
+  /// The same for a body that moves with the point `moving`.
+  void add_rail(int bearer, const Vec2d& through, const Vec2d& direction,
+                const Attached<double>& moving) {
+    const int traveller = moving.body;
     double least = 0, greatest = 0;
     bool any = false;
     for (std::size_t k = 0; k < poses_.size(); ++k) {
       if (!std::isfinite(track(traveller).x[k]) || !std::isfinite(track(bearer).x[k])) continue;
-      const Vec2d origin{track(traveller).x[k], track(traveller).y[k]};
-      const double s = dot(in_axes(track(bearer), k, origin) - through, direction);
+      const Vec2d there = place(track(traveller), k, moving.at);
+      const double s = dot(in_axes(track(bearer), k, there) - through, direction);
       least = any ? std::min(least, s) : s;
       greatest = any ? std::max(greatest, s) : s;
       any = true;
@@ -159,6 +166,15 @@ class ShapeBuilder {
     shape(n).block = true;
     add_rail(n + 1, {0, 0}, dyad.slot, n);
   }
+
+  void add_dyad(const Group& group, int) {
+    for (const GroupJoint& joint : group.joints) {
+      if (!joint.slides) continue;
+      shape(joint.second.body).block = true;
+      add_rail(joint.first.body, joint.first.at, joint.along_first, joint.second);
+    }
+  }
+  void add_dyad(const GroupRest&, int) {}
 
   const problems::NamedMechanism& named_;
   const MechanismPoses& poses_;

@@ -39,6 +39,11 @@ NamedMechanism read_mechanism(const py::dict& tables) {
   problems::reading::TableReader mechanism = reader.table("mechanism");
   auto read = problems::reading::read_whole_mechanism(reader, mechanism);
   if (read) mechanism.finish();
+  if (read && has_groups(read->mechanism.mechanism)) {
+    mechanism.fault(mechanism.has("joint") ? "joint" : "dyad",
+                    "has a group of more than two links, whose positions only a motion finds; "
+                    "expected dyads, or cognate.solve of an analysis");
+  }
   if (!faults.empty() || !read) raise_faults(source, std::move(faults).sorted());
   return std::move(read->mechanism);
 }

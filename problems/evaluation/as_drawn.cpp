@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "analysis/mechanism/kinematics.hpp"
+#include "analysis/mechanism/followed_motion.hpp"
 #include "problems/mechanism/drawn/drawing_of.hpp"
 #include "problems/mechanism/read_whole_mechanism.hpp"
 
@@ -25,8 +25,8 @@ class Redrawn {
  public:
   Redrawn(const Standing& before, const Standing& after, const reading::Drawing& drawing)
       : before_(before.mechanism.mechanism), after_(after.mechanism.mechanism) {
-    before_.move_to(before.drive);
-    after_.move_to(after.drive);
+    move_followed(before_, before.drive);
+    move_followed(after_, after.drive);
     const auto& bodies = after.mechanism.bodies;
     for (const std::string& link : drawing.links) {
       const auto body = std::ranges::find(bodies, link);
@@ -113,7 +113,7 @@ void name_joints_of_loads(const AnalysisProblem& problem, const reading::Drawing
   const auto entry = std::ranges::find(document, "load", &Entry::key);
   if (entry == document.end()) return;
   MechanismMotion<0> motion(problem.mechanism.mechanism);
-  motion.move_to(problem.drive.start);
+  move_followed(motion, problem.drive.start);
   auto& loads = std::get<reading::Array>(entry->node.value);
   for (std::size_t i = 0; i < problem.loads.size(); ++i) {
     const auto* joint = joint_at(drawing, problem.loads[i].at, motion);

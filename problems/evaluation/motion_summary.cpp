@@ -1,5 +1,7 @@
 #include "problems/evaluation/motion_summary.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -15,7 +17,9 @@
 #include "analysis/mechanism/circuit_range.hpp"
 #include "analysis/mechanism/followed_motion.hpp"
 #include "analysis/mechanism/output_limits.hpp"
+#include "analysis/mechanism/three_pin_link.hpp"
 #include "analysis/mechanism/transmission_extremes.hpp"
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/evaluation/output_travel.hpp"
 #include "problems/evaluation/type_quantities.hpp"
@@ -54,6 +58,11 @@ struct TimeRatio {
   }
 };
 
+/// Whether it has no transmission angle: a group has several ways to be at a dead point.
+bool is_of_group(const Dyad<double>& dyad) {
+  return std::holds_alternative<Group>(dyad) || std::holds_alternative<GroupRest>(dyad);
+}
+
 /// Goes through one motion and collects what it says.
 class Summary {
  public:
@@ -74,6 +83,7 @@ class Summary {
 
   MotionSummary collect() {
     add_special_positions();
+    add_assemblies();
     add_transmission();
     add_output();
     std::ranges::stable_sort(summary_.landmarks, [this](const Landmark& a, const Landmark& b) {
@@ -97,6 +107,35 @@ class Summary {
     }
   }
 
+  /// In how many ways links with three pins could stand where the motion begins.
+  void add_assemblies() {
+    if (!has_groups(mechanism_) || !motion_.move_to(assembly_ranges_.start)) return;
+    std::vector<Placement> bodies;
+    for (const auto& body : motion_.bodies()) bodies.push_back({body.origin[0], body.direction});
+    for (std::size_t i = 0; i < mechanism_.dyads.size(); ++i) {
+      const auto* group = std::get_if<Group>(&mechanism_.dyads[i]);
+      const int first = first_body(mechanism_, static_cast<int>(i));
+      const auto link = group ? as_three_pin_link(*group, first, bodies) : std::nullopt;
+      if (link) add_assemblies(*link, bodies[static_cast<std::size_t>(link->body)].direction);
+    }
+  }
+
+  /// Their number, which of them it is, and the link's angle in each.
+  void add_assemblies(const ThreePinLink& link, const Vec2d& direction) {
+    const std::string& name = problem_.mechanism.bodies[static_cast<std::size_t>(link.body)];
+    const auto all = assemblies(link);
+    const auto distance = [&](const Placement& at) { return norm(at.direction - direction); };
+    const auto own = std::ranges::min_element(all, {}, distance) - all.begin();
+    const auto add = [&](const std::string& what, double value) {
+      summary_.quantities.push_back({what + "." + name, value});
+    };
+    add("assemblies", static_cast<double>(all.size()));
+    add("assembly", static_cast<double>(own + 1));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      add(fmt::format("assembly_{}_deg", i + 1), kDegreesInRadian * angle_of(all[i].direction));
+    }
+  }
+
   static std::string kind_of(const SpecialPosition& point) {
     switch (point.kind) {
       case SpecialPositionKind::dead_point:
@@ -117,6 +156,7 @@ class Summary {
     std::optional<double> pressure;
     for (std::size_t i = 0; i < mechanism_.dyads.size(); ++i) {
       if (deadline_.reached()) return;
+      if (is_of_group(mechanism_.dyads[i])) continue;
       const auto angles = transmission_extremes(mechanism_, assembly_ranges_, static_cast<int>(i));
       if (!angles) return;
       all = {std::min(all.min, angles->least.angle), std::max(all.max, angles->greatest.angle),
@@ -129,7 +169,7 @@ class Summary {
       add_landmark("least transmission angle", names[i], angles->least.drive);
       add_landmark("greatest transmission angle", names[i], angles->greatest.drive);
     }
-    if (mechanism_.dyads.empty()) return;
+    if (std::ranges::all_of(mechanism_.dyads, is_of_group)) return;
     if (problem_.mechanism.four_bar()) all = by_diagonal(*problem_.mechanism.four_bar());
     summary_.transmission = all;
     if (pressure) add("pressure_angle_max_deg", kDegreesInRadian * *pressure);

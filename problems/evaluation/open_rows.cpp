@@ -25,6 +25,7 @@ double missing(const AssemblyFault& fault) {
       return fault.first - fault.distance;
     case AssemblyFaultKind::parallel_guides:
     case AssemblyFaultKind::parallel_supports:
+    case AssemblyFaultKind::group_open:
       break;
   }
   return 0;
@@ -51,6 +52,8 @@ std::string reason(const AssemblyFault& fault) {
       return "its slides are parallel";
     case AssemblyFaultKind::parallel_supports:
       return "the guides of the driving link are parallel";
+    case AssemblyFaultKind::group_open:
+      return "";
   }
   return "";
 }
@@ -95,6 +98,12 @@ std::string note(const AnalysisProblem& problem, const AssemblyRanges& assembly_
     return fmt::format(
         "{} the position is not determined: the ends of dyad {} coincide, and it "
         "may turn about them",
+        where, name);
+  }
+  if (has_groups(problem.mechanism.mechanism)) {
+    return fmt::format(
+        "{} the motion does not reach: between there and where the mechanism is drawn {} comes to a "
+        "dead point, or cannot be assembled",
         where, name);
   }
   std::optional<AssemblyFault> worst;

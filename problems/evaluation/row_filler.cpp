@@ -80,6 +80,24 @@ double residual(const Cylinder<double>& dyad, Bodies bodies, int n) {
                    gap(bodies, {1, {}}, {n + 1, {dyad.length, 0}})});
 }
 
+double residual(const GroupJoint& joint, Bodies bodies) {
+  if (!joint.slides) return gap(bodies, joint.first, joint.second);
+  const Vec2d u = bodies[static_cast<std::size_t>(joint.first.body)].direction * joint.along_first;
+  return std::abs(cross(u, place(bodies, joint.second) - place(bodies, joint.first)));
+}
+
+double residual(const Group& group, Bodies bodies, int) {
+  double greatest = 0;
+  for (const GroupJoint& joint : group.joints) {
+    greatest = std::max(greatest, residual(joint, bodies));
+  }
+  return greatest;
+}
+
+double residual(const GroupRest&, Bodies, int) {
+  return 0;
+}
+
 /// ẋ = x′·q̇.
 template <class Value>
 Value velocity(const Value& x1, const DriveRate& rate) {
@@ -196,12 +214,30 @@ RowState RowFiller<Order>::fill(ColumnPlan& plan, int row) {
 /// of one that is not determined.
 template <int Order>
 int RowFiller<Order>::open_dyad(double drive) {
+  const bool knows_groups = place_described(drive);
   described_.move_to(drive);
-  const auto is_open = [](const auto& closure) { return !(closure.discriminant >= 0); };
   const auto closures = described_.closures();
-  const auto found = std::ranges::find_if(closures, is_open);
-  const auto last = static_cast<int>(closures.size()) - 1;
-  return std::min(static_cast<int>(found - closures.begin()), last);
+  const auto& dyads = described_.mechanism().dyads;
+  for (std::size_t i = 0; i < closures.size(); ++i) {
+    const bool is_unknown = !knows_groups && std::holds_alternative<Group>(dyads[i]);
+    if (is_unknown || !(closures[i].discriminant >= 0)) return static_cast<int>(i);
+  }
+  return static_cast<int>(closures.size()) - 1;
+}
+
+/// Puts the groups where a motion leads them; whether one does.
+template <int Order>
+bool RowFiller<Order>::place_described(double drive) {
+  const auto leads_there = [&](const AssemblyRange& run) {
+    return std::ranges::all_of(run.tracks, [&](const auto& track) {
+      return track->from() <= drive && drive <= track->to();
+    });
+  };
+  const auto& runs = motion_.assembly_ranges().runs;
+  const auto run = std::ranges::find_if(runs, leads_there);
+  if (run == runs.end()) return false;
+  place_groups(*run, drive, described_.places());
+  return true;
 }
 
 template <int Order>

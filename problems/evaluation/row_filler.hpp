@@ -44,12 +44,6 @@ class ForceFiller {
   Forces forces_;
 };
 
-/// Where a body's axes stand.
-struct Placement {
-  Vec2d origin{};
-  Vec2d direction{1, 0};
-};
-
 /// Where `point` stands.
 Vec2d place(std::span<const Placement> bodies, const Attached<double>& point);
 
@@ -94,6 +88,7 @@ class RowFiller {
 
   RowState state();
   int open_dyad(double drive);
+  bool place_described(double drive);
   void write_bodies();
   void write_slides();
   void write_points();

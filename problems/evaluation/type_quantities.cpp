@@ -24,10 +24,11 @@ Quantities rotation_quantities(std::string_view name, bool change_point, bool cr
 }
 
 std::string chain_name(const Mechanism<double>& mechanism) {
-  constexpr std::array<std::string_view, 6> kTypes = {"RRR", "RRP", "RPR",
-                                                      "PRP", "RPP", "cylinder"};
+  constexpr std::array<std::string_view, 7> kTypes = {"RRR", "RRP",      "RPR",  "PRP",
+                                                      "RPP", "cylinder", "group"};
   std::string text;
   for (const auto& dyad : mechanism.dyads) {
+    if (std::holds_alternative<GroupRest>(dyad)) continue;
     if (!text.empty()) text += '+';
     text += kTypes.at(dyad.index());
   }

@@ -75,6 +75,22 @@ struct Digest {
     add(dyad.length);
     add(dyad.assembly);
   }
+  void operator()(const Group& group) {
+    for (const GroupJoint& joint : group.joints) {
+      structure.push_back(joint.slides);
+      add(joint.first);
+      add(joint.second);
+      if (!joint.slides) continue;
+      add(joint.along_first);
+      add(joint.along_second);
+    }
+    for (const Placement& body : group.drawn) {
+      add(body.origin);
+      add(body.direction);
+    }
+    add(group.drive);
+  }
+  void operator()(const GroupRest&) {}
 
  private:
   void add(double number) { numbers.push_back(number); }

@@ -39,6 +39,13 @@ Pin places_of(const Joint& joint, const Mechanism<double>& mechanism, int group)
   if (group == 0) return pin;
   const auto& dyad = mechanism.dyads[static_cast<std::size_t>(group - 1)];
   const int n = first_body(mechanism, group - 1);
+  if (const auto* of_group = std::get_if<Group>(&dyad)) {
+    const auto same = [&](const GroupJoint& other) {
+      return other.first.body == joint.first && other.second.body == joint.second &&
+             !other.slides && other.second.at == joint.at.at;
+    };
+    return {joint.at, std::ranges::find_if(of_group->joints, same)->first};
+  }
   const auto* cylinder = std::get_if<Cylinder<double>>(&dyad);
   if (cylinder && joint.second == n + 1 && joint.first == 1) {
     return {joint.at, {n + 1, {cylinder->length, 0}}};
@@ -83,6 +90,20 @@ Pins pins_of(const Mechanism<double>& mechanism, const JointList& list) {
     }
   }
   return all;
+}
+
+/// The body of a group with the most joints.
+int most_joined(const Group& group, const JointGroup& bodies) {
+  int found = bodies.first_body;
+  std::ptrdiff_t most = 0;
+  for (int body = bodies.first_body; body < bodies.first_body + bodies.bodies; ++body) {
+    const auto count = std::ranges::count_if(group.joints, [&](const GroupJoint& joint) {
+      return joint.first.body == body || joint.second.body == body;
+    });
+    if (count > most) found = body;
+    most = std::max(most, count);
+  }
+  return found;
 }
 
 }  // namespace
@@ -141,6 +162,14 @@ std::vector<std::string> dyad_names(const NamedMechanism& mechanism) {
   for (std::size_t i = 0; i < mechanism.mechanism.dyads.size(); ++i) {
     const JointGroup& group = list.groups[i + 1];
     const Dyad<double>& dyad = mechanism.mechanism.dyads[i];
+    if (const auto* links = std::get_if<Group>(&dyad)) {
+      all.push_back(mechanism.bodies[static_cast<std::size_t>(most_joined(*links, group))]);
+      continue;
+    }
+    if (std::holds_alternative<GroupRest>(dyad)) {
+      all.push_back(all.back());
+      continue;
+    }
     const bool has_pin =
         std::holds_alternative<Rrr<double>>(dyad) || std::holds_alternative<Cylinder<double>>(dyad);
     all.push_back(has_pin ? names[static_cast<std::size_t>(group.first_joint) + 1]

@@ -24,7 +24,7 @@ std::optional<int> common_body(const Mechanism<double>& mechanism, const Attache
                                const Attached<double>& b);
 
 /// One name for each dyad: of RRR that of its inner joint, else of its second body (the slider, the
-/// bar).
+/// bar); in each place of a group that of its body with the most joints.
 std::vector<std::string> dyad_names(const NamedMechanism& mechanism);
 
 }  // namespace cognate::problems

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "analysis/linkage/four_bar.hpp"
 #include "analysis/linkage/guide_bar.hpp"
 #include "analysis/linkage/slider_crank.hpp"
+#include "analysis/mechanism/attached.hpp"
 #include "analysis/numbers/vec2.hpp"
 
 namespace cognate::problems {
@@ -57,7 +59,24 @@ struct CylinderDescription {
   std::array<std::string, 3> names;  ///< of rod, cylinder and link
 };
 
-enum class DyadType { rrr, rrp, rpr, prp, rpp };
+enum class DyadType { rrr, rrp, rpr, prp, rpp, group };
+
+/// `[[dyad.joint]]` of a group: a pin of two bodies at `at` in the axes of each, or, with
+/// directions from their first axes, a slide of the second's point along the line of the first.
+struct GroupJointDescription {
+  std::string name;  ///< of a pin
+  std::array<std::string, 2> of;
+  std::array<Vec2d, 2> at{};
+  std::optional<std::array<double, 2>> directions;
+};
+
+/// `type = "group"`: where the axes of its bodies stand with the drive at `drive`, and its joints.
+struct GroupDescription {
+  std::vector<std::string> names;
+  std::vector<Placement> drawn;
+  double drive = 0;
+  std::vector<GroupJointDescription> joints;
+};
 
 /// `[[dyad]]`. What the type does not have is empty or zero.
 struct DyadDescription {
@@ -71,6 +90,7 @@ struct DyadDescription {
   std::string new_point;                 ///< `new`: the inner joint (RPP: where slot and guide
                                          ///< cross); empty for RPR
   std::array<std::string, 2> names;      ///< of its two bodies
+  GroupDescription group;                ///< of a group, all that it has
 };
 
 /// `[[point]]`: `at` in the axes of a body. `on` holds its name, or the names of two of its points,

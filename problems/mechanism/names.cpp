@@ -16,11 +16,9 @@ constexpr std::array<Named<MechanismType>, sizeof...(Type)> words_of(
 }
 
 constexpr auto kMechanismTypes = words_of(std::type_identity<MechanismDescription>{});
-constexpr Named<DyadType> kDyadTypes[] = {{"RRR", DyadType::rrr},
-                                          {"RRP", DyadType::rrp},
-                                          {"RPR", DyadType::rpr},
-                                          {"PRP", DyadType::prp},
-                                          {"RPP", DyadType::rpp}};
+constexpr Named<DyadType> kDyadTypes[] = {{"RRR", DyadType::rrr}, {"RRP", DyadType::rrp},
+                                          {"RPR", DyadType::rpr}, {"PRP", DyadType::prp},
+                                          {"RPP", DyadType::rpp}, {"group", DyadType::group}};
 constexpr Named<LoadSense> kLoadSenses[] = {
     {"always", LoadSense::always}, {"advance", LoadSense::advance}, {"return", LoadSense::retreat}};
 

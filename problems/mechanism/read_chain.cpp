@@ -11,6 +11,7 @@
 #include "problems/mechanism/quantity_rules.hpp"
 #include "problems/mechanism/read_chain_dyads.hpp"
 #include "problems/mechanism/read_cylinder.hpp"
+#include "problems/mechanism/read_group.hpp"
 #include "problems/mechanism/read_slides.hpp"
 #include "problems/toml/nearest.hpp"
 
@@ -192,6 +193,7 @@ Chain read_chain(TableReader& document, TableReader& mechanism) {
   announce_pins(document, mechanism, chain.names);
   for (TableReader& dyad : dyads) announce_name(dyad, "new", chain.names);
   auto waiting = read_extra_points(holder("point", document, mechanism), chain.names);
+  for (TableReader& dyad : dyads) announce_joints(dyad, chain.names);
   const auto all_points = waiting;
   read_drive(document, mechanism, dyads.size(), chain);
   place_waiting(waiting, chain);

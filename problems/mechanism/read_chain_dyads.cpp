@@ -8,6 +8,7 @@
 #include "problems/mechanism/directions.hpp"
 #include "problems/mechanism/quantity_rules.hpp"
 #include "problems/mechanism/read_dyad_keys.hpp"
+#include "problems/mechanism/read_group.hpp"
 #include "problems/mechanism/read_slides.hpp"
 
 namespace cognate::problems::reading {
@@ -148,6 +149,8 @@ void read_type(TableReader& table, Chain& chain, ReadDyad& read) {
       return read_prp(table, chain, read);
     case DyadType::rpp:
       return read_rpp(table, chain, read);
+    case DyadType::group:
+      return;
   }
 }
 
@@ -186,7 +189,8 @@ void add_bodies(TableReader& table, Chain& chain, ReadDyad& read,
 void read_dyad(TableReader& table, Chain& chain) {
   constexpr std::string_view kType = "type";
   if (!table.has(kType)) {
-    table.fault(kType, "is missing; expected \"RRR\", \"RRP\", \"RPR\", \"PRP\" or \"RPP\"");
+    table.fault(kType,
+                "is missing; expected \"RRR\", \"RRP\", \"RPR\", \"PRP\", \"RPP\" or \"group\"");
   }
   const std::size_t before = table.faults().size();
   const auto type = table.choice<DyadType>(kType);
@@ -194,6 +198,7 @@ void read_dyad(TableReader& table, Chain& chain) {
     chain.names.incomplete = true;
     return;
   }
+  if (*type == DyadType::group) return read_group(table, chain);
   ReadDyad read;
   read.description.type = *type;
   read_type(table, chain, read);

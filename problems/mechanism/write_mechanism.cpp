@@ -44,6 +44,33 @@ TableWriter drive_writer(const CylinderDescription& cylinder) {
       .set("names", cylinder.names);
 }
 
+TableWriter joint_writer(const GroupJointDescription& joint) {
+  TableWriter table;
+  if (!joint.directions) table.set("name", joint.name);
+  table.set("of", joint.of).set("at", joint.at);
+  if (!joint.directions) return table;
+  const auto& [first, second] = *joint.directions;
+  return table.add("direction_deg", node(Array{node_deg(first), node_deg(second)}));
+}
+
+TableWriter group_writer(const GroupDescription& group, bool slides) {
+  Array places, directions, joints;
+  for (const auto& [origin, direction] : group.drawn) {
+    places.push_back(node(origin));
+    directions.push_back(node_deg(angle_of(direction)));
+  }
+  for (const GroupJointDescription& joint : group.joints) {
+    joints.push_back(node(joint_writer(joint)));
+  }
+  TableWriter table;
+  table.set_name("type", DyadType::group)
+      .set("names", group.names)
+      .set("at", places)
+      .set("direction_deg", directions);
+  slides ? table.set("drive", group.drive) : table.set_deg("drive_deg", group.drive);
+  return table.set("joint", joints);
+}
+
 TableWriter dyad_writer(const DyadDescription& dyad) {
   TableWriter table;
   table.set_name("type", dyad.type);
@@ -103,7 +130,11 @@ void write_description(const ChainDescription& chain, TableWriter& table) {
   for (const auto& [name, at] : chain.pivots) {
     pivots.push_back(node(TableWriter{}.set("name", name).set("at", at)));
   }
-  for (const DyadDescription& dyad : chain.dyads) dyads.push_back(node(dyad_writer(dyad)));
+  const bool slides = !std::holds_alternative<CrankDescription>(chain.drive);
+  for (const DyadDescription& dyad : chain.dyads) {
+    dyads.push_back(
+        node(dyad.type == DyadType::group ? group_writer(dyad.group, slides) : dyad_writer(dyad)));
+  }
   constexpr std::array<std::string_view, 3> kDrives{"crank", "slider", "cylinder"};
   if (!pivots.empty()) table.set("pivot", pivots);
   std::visit(

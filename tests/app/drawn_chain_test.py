@@ -115,9 +115,26 @@ class Drawer:
         for link in (first, second):
             self.point(link)
 
-    def draw(self, dyads):
-        for _ in range(dyads):
-            self.dyad()
+    def group(self):
+        """A link with three joints on three others: no two of the four close before the rest."""
+        before = [[*joint["of"]] for joint in self.joints]
+        plate, legs = self.name("plate"), [self.name("leg") for _ in range(3)]
+        while True:
+            for leg in legs:
+                kinds = self.random.choice(("RR", "RR", "RR", "PR", "RP"))
+                self.outer(kinds[0], leg, self.random.choice(self.links))
+                (self.slide if kinds[1] == "P" else self.pin)([leg, plate])
+            if is_determined(self.joints, "drive", 1e-3):
+                break
+            del self.joints[len(before):]
+            for joint, of in zip(self.joints, before):
+                joint["of"] = [*of]
+        self.links += [*legs, plate]
+        self.point(plate)
+
+    def draw(self, dyads, group_after=None):
+        for i in range(dyads + (group_after is not None)):
+            self.group() if i == group_after else self.dyad()
         self.random.shuffle(self.joints)
         for joint in self.joints:
             self.random.shuffle(joint["of"])
@@ -130,11 +147,11 @@ class DrawnChains(unittest.TestCase):
         self.assertEqual(done.returncode, 2, done.stdout)
         return done.stderr
 
-    def follow(self, seed):
+    def follow(self, seed, group_after=None):
         """Compares the motion of a planted mechanism from where it is drawn on, until it comes near a dead
         point. How many positions were compared."""
         drawer = Drawer(seed)
-        joints = drawer.draw(1 + seed % 4)
+        joints = drawer.draw(1 + seed % 4 if group_after is None else seed % 3, group_after)
         span = drawer.random.choice((3.0, -3.0)) if drawer.slides else math.tau
         ends = f"end = {span}\n" if drawer.slides else ""
         rows = table(drawn(joints, "drive", f"[drive]\n{ends}steps = {STEPS}\n"))
@@ -156,6 +173,10 @@ class DrawnChains(unittest.TestCase):
     def test_planted_mechanisms_move_as_their_constraints_say(self):
         compared = [self.follow(seed) for seed in range(40)]
         self.assertGreater(sum(compared), 40 * 10, compared)
+
+    def test_planted_groups_of_four_links_move_as_their_constraints_say(self):
+        compared = [self.follow(seed, min(seed % 2, seed % 3)) for seed in range(100, 130)]
+        self.assertGreater(sum(compared), 30 * 8, compared)
 
     def test_any_joints_are_a_mechanism_where_their_constraints_are_independent(self):
         soups = [soup(seed) for seed in range(250)]
@@ -319,15 +340,15 @@ def soup(seed):
     return joints + [pinned("P", (7, 5), "drive")]
 
 
-def is_determined(joints):
+def is_determined(joints, driven="drive", least=1e-6):
     """Whether the rates of all bodies follow from that of the driven one."""
-    if not any({"frame", "drive"} <= {*joint["of"]} for joint in joints):
+    if not any({"frame", driven} <= {*joint["of"]} for joint in joints):
         return False
-    bodies = Bodies(joints, "drive")
+    bodies = Bodies(joints, driven)
     columns = bodies._slopes(bodies.poses)
     if len(columns) != len(columns[0] if columns else []):
         return False
-    return solve([list(row) for row in zip(*columns)], [0.0] * len(columns))[1] > 1e-6
+    return solve([list(row) for row in zip(*columns)], [0.0] * len(columns))[1] > least
 
 
 def pinned(name, at, *of):

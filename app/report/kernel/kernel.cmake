@@ -170,6 +170,9 @@ set(mechanism_evaluator
   analysis/mechanism/circuit_range.cpp
   analysis/mechanism/dyad_reach.cpp
   analysis/mechanism/inverse_dynamics.cpp
+  analysis/mechanism/group_closure.cpp
+  analysis/mechanism/group_equations.cpp
+  analysis/mechanism/group_track.cpp
   analysis/mechanism/joint_balance.cpp
   analysis/mechanism/joints.cpp
   analysis/mechanism/kinematics.cpp
@@ -188,6 +191,7 @@ set(mechanism_evaluator
   problems/mechanism/directions.cpp
   problems/mechanism/drawn/check_drawing.cpp
   problems/mechanism/drawn/describe_drawing.cpp
+  problems/mechanism/drawn/determined_links.cpp
   problems/mechanism/drawn/drawing.cpp
   problems/mechanism/drawn/groups.cpp
   problems/mechanism/drawn/read_drawing.cpp
@@ -203,6 +207,7 @@ set(mechanism_evaluator
   problems/mechanism/read_cylinder.cpp
   problems/mechanism/read_dyad_keys.cpp
   problems/mechanism/read_extra_points.cpp
+  problems/mechanism/read_group.cpp
   problems/mechanism/read_links.cpp
   problems/mechanism/read_loads.cpp
   problems/mechanism/read_simple_mechanism.cpp

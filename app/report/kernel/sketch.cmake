@@ -4,6 +4,9 @@ cognate_page_kernel(sketch_kernel
   analysis/batch/instruction_set.cpp
   ${linkages}
   analysis/mechanism/inverse_dynamics.cpp
+  analysis/mechanism/group_closure.cpp
+  analysis/mechanism/group_equations.cpp
+  analysis/mechanism/group_track.cpp
   analysis/mechanism/joint_balance.cpp
   analysis/mechanism/kinematics.cpp
   app/report/kernel/answer.cpp

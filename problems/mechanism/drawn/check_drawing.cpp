@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/mechanism/group.hpp"
 #include "problems/mechanism/part_names.hpp"
 #include "problems/toml/nearest.hpp"
 
@@ -101,8 +102,9 @@ void check_mobility(const Drawing& drawing, const DrawnGroups& groups, TableRead
 /// Whether all links move as dyads where `link` drives.
 bool leaves_dyads(const Drawing& drawing, std::size_t link) {
   const DrawnGroups groups = groups_of(drawing, link);
-  return groups.left.empty() && std::ranges::none_of(groups.dyads, [&](const DrawnDyad& dyad) {
-           return shared_link(drawing, dyad).has_value();
+  return groups.left.empty() && std::ranges::all_of(groups.groups, [&](const auto& group) {
+           const auto* dyad = std::get_if<DrawnDyad>(&group);
+           return dyad && !shared_link(drawing, *dyad);
          });
 }
 
@@ -127,15 +129,25 @@ void check_groups(const Drawing& drawing, const DrawnGroups& groups, TableReader
                              "{}, and others hold what should move",
                              link_list(drawing, hanging)));
   }
-  std::string message = fmt::format(
-      "the drawing has links that form no dyads: {} (an Assur group of class III or higher, or a "
-      "part that is held beside one that is loose)",
-      link_list(drawing, groups.left));
-  const Links drives = drives_of_dyads(drawing);
-  if (!drives.empty()) {
-    message += fmt::format("; driven by {} they would", link_list(drawing, drives));
+  fault(place, fmt::format("the drawing has links of which a part is held beside one that is "
+                           "loose: {}",
+                           link_list(drawing, groups.left)));
+}
+
+/// A group has a matrix of all its joints.
+void check_sizes(const Drawing& drawing, const DrawnGroups& groups, TableReader& place) {
+  for (const auto& any : groups.groups) {
+    const auto* group = std::get_if<DrawnGroup>(&any);
+    if (!group || group->links.size() <= kMostGroupBodies) continue;
+    std::string message =
+        fmt::format("the drawing has {} links that move only together: {}; expected at most {}",
+                    group->links.size(), link_list(drawing, group->links), kMostGroupBodies);
+    const Links drives = drives_of_dyads(drawing);
+    if (!drives.empty()) {
+      message += fmt::format("; driven by {} they would move in pairs", link_list(drawing, drives));
+    }
+    fault(place, message);
   }
-  fault(place, message);
 }
 
 }  // namespace
@@ -149,6 +161,7 @@ void check_drawing(const Drawing& drawing, const DrawnGroups& groups, TableReade
   }
   if (mobility_of(drawing).value() != 1) return check_mobility(drawing, groups, place);
   check_groups(drawing, groups, place);
+  check_sizes(drawing, groups, place);
 }
 
 }  // namespace cognate::problems::reading

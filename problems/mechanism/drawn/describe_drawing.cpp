@@ -43,7 +43,11 @@ bool is_away(const DrawnJoint& joint, const DrawnJoint& on_frame, double size) {
 class Describer {
  public:
   Describer(const Drawing& drawing, FaultList& faults)
-      : drawing_(drawing), faults_(faults), axes_(drawing.links.size()), size_(size_of(drawing)) {}
+      : drawing_(drawing),
+        faults_(faults),
+        axes_(drawing.links.size()),
+        placed_{0, drawing.driven},
+        size_(size_of(drawing)) {}
 
   void describe_frame() {
     for (const std::size_t i : pins_of(0)) {
@@ -92,6 +96,24 @@ class Describer {
     // The bar is the link that others are joined to.
     if (joints_of(drawing_, dyad.first).size() > joints_of(drawing_, dyad.second).size()) swap();
     describe_rpr(dyad);
+  }
+
+  void describe(const DrawnGroup& group) {
+    for (const std::size_t link : group.links) take_axes(link);
+    GroupDescription described;
+    described.drive = described_.drive;
+    for (const std::size_t link : group.links) {
+      described.names.push_back(name(link));
+      described.drawn.push_back({axes_[link].origin, axes_[link].direction});
+    }
+    std::vector<std::size_t> joints;
+    for (std::size_t i = 0; i < drawing_.joints.size(); ++i) {
+      if (add_joints(group, i, described.joints)) joints.push_back(i);
+    }
+    described_.chain.dyads.push_back(
+        {.type = DyadType::group, .names = {}, .group = std::move(described)});
+    placed_.insert(placed_.end(), group.links.begin(), group.links.end());
+    for (const std::size_t link : group.links) add_points(link, joints);
   }
 
   DescribedDrawing take() { return std::move(described_); }
@@ -273,8 +295,67 @@ class Describer {
     add(std::move(described), dyad);
   }
 
+  /// Of a link of a group: the origin at its first pin, the first axis towards its second, or along
+  /// its slide.
+  void take_axes(std::size_t link) {
+    const auto pins = pins_of(link);
+    DrawnAxes& axes = axes_[link];
+    if (!pins.empty()) axes.origin = joint(pins.front()).at;
+    for (const std::size_t i : joints_of(drawing_, link)) {
+      if (joint(i).direction) axes.direction = *joint(i).direction;
+    }
+    for (const std::size_t i : pins) {
+      const Vec2d along = joint(i).at - axes.origin;
+      if (norm(along) <= kRounding * size_) continue;
+      axes.direction = (1 / norm(along)) * along;
+      return;
+    }
+  }
+
+  /// The joints of a group that the drawing's joint `i` is: of a pin of m links m − 1. Whether it
+  /// is one of the group.
+  bool add_joints(const DrawnGroup& group, std::size_t i,
+                  std::vector<GroupJointDescription>& joints) const {
+    const auto is_own = [&](std::size_t link) {
+      return std::ranges::find(group.links, link) != group.links.end();
+    };
+    const auto is_later = [&](std::size_t link) {
+      return !is_own(link) && std::ranges::find(placed_, link) == placed_.end();
+    };
+    std::vector<std::size_t> of = joint(i).of;
+    std::erase_if(of, is_later);
+    const auto own = std::ranges::count_if(of, is_own);
+    if (own == 0 || of.size() < 2) return false;
+    // A link that is there before carries the pin or the guide, else one with the most joints.
+    std::ranges::stable_sort(of, {}, [&](std::size_t link) {
+      const auto count = static_cast<std::ptrdiff_t>(joints_of(drawing_, link).size());
+      return std::pair(is_own(link), joint(i).direction ? -count : 0);
+    });
+    for (std::size_t k = 1; k < of.size(); ++k) {
+      if (is_own(of[k])) joints.push_back(described_joint(joint(i), of[0], of[k]));
+    }
+    return true;
+  }
+
+  GroupJointDescription described_joint(const DrawnJoint& drawn, std::size_t first,
+                                        std::size_t second) const {
+    const Vec2d place = drawn.direction ? axes_[second].origin : drawn.at;
+    GroupJointDescription described{.name = drawn.name,
+                                    .of = {name(first), name(second)},
+                                    .at = {in_axes(first, place), in_axes(second, place)},
+                                    .directions = {}};
+    if (!drawn.direction) return described;
+    described.name.clear();
+    const auto angle = [&](std::size_t link) {
+      return angle_of(conj(axes_[link].direction) * *drawn.direction);
+    };
+    described.directions = {angle(first), angle(second)};
+    return described;
+  }
+
   void add(DyadDescription described, const DrawnDyad& dyad) {
     described.names = {name(dyad.first), name(dyad.second)};
+    placed_.insert(placed_.end(), {dyad.first, dyad.second});
     described_.chain.dyads.push_back(std::move(described));
     add_points(dyad.first, {dyad.first_outer, dyad.inner});
     add_points(dyad.second, {dyad.second_outer, dyad.inner});
@@ -291,6 +372,7 @@ class Describer {
   const Drawing& drawing_;
   FaultList& faults_;
   std::vector<DrawnAxes> axes_;
+  std::vector<std::size_t> placed_;  ///< links that are described
   DescribedDrawing described_;
   double size_;
 };
@@ -335,9 +417,9 @@ std::optional<DescribedDrawing> describe(const Drawing& given, const DrawnGroups
   Describer describer(drawing, faults);
   describer.describe_frame();
   describer.describe_drive();
-  for (const DrawnDyad& dyad : groups.dyads) {
+  for (const auto& group : groups.groups) {
     if (faults.size() != before) return std::nullopt;
-    describer.describe(dyad);
+    std::visit([&](const auto& links) { describer.describe(links); }, group);
   }
   if (faults.size() != before) return std::nullopt;
   return describer.take();

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "analysis/mechanism/followed_motion.hpp"
 #include "analysis/mechanism/joints.hpp"
-#include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/angle.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/mechanism/joint_names.hpp"
@@ -32,7 +32,7 @@ class Draughtsman {
     if (!drives_from_frame(mechanism_.mechanism.drive)) {
       return refusal("the mechanism is driven by no link that has a joint with the frame");
     }
-    if (!motion_.move_to(drive)) {
+    if (!move_followed(motion_, drive)) {
       return refusal("the mechanism cannot be assembled where its drive begins");
     }
     add_joints();

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "problems/mechanism/drawn/determined_links.hpp"
+
 namespace cognate::problems::reading {
 namespace {
 
-/// Takes dyads off a drawing, one after another.
+/// Takes groups off a drawing, one after another, dyads first.
 class Decomposition {
  public:
   Decomposition(const Drawing& drawing, std::size_t driven)
@@ -17,9 +19,17 @@ class Decomposition {
 
   DrawnGroups run() {
     DrawnGroups groups;
-    while (const auto dyad = next()) {
-      moves_[dyad->first] = moves_[dyad->second] = true;
-      groups.dyads.push_back(*dyad);
+    for (bool is_found = true; is_found;) {
+      is_found = false;
+      if (const auto dyad = next()) {
+        moves_[dyad->first] = moves_[dyad->second] = true;
+        groups.groups.emplace_back(*dyad);
+        is_found = true;
+      } else if (const auto links = determined_links(drawing_, moves_); !links.empty()) {
+        for (const std::size_t link : links) moves_[link] = true;
+        groups.groups.emplace_back(DrawnGroup{links});
+        is_found = true;
+      }
     }
     for (std::size_t i = 0; i < moves_.size(); ++i) {
       if (!moves_[i]) groups.left.push_back(i);

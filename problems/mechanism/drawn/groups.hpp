@@ -1,8 +1,9 @@
-/// @file The Assur groups of class II of a mechanism that is given by its joints alone.
+/// @file The Assur groups of a mechanism that is given by its joints alone.
 #pragma once
 
 #include <cstddef>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "problems/mechanism/drawn/drawing.hpp"
@@ -15,12 +16,18 @@ struct DrawnDyad {
   std::size_t first_outer = 0, inner = 0, second_outer = 0;  ///< joints
 };
 
-/// The dyads in the order in which they close on the frame, the drive and one another, and the
-/// links that are left: none where the mechanism is a drive and dyads. Which dyads there are does
+/// Four links or more that are determined together and not in pairs: a group of class III or
+/// higher.
+struct DrawnGroup {
+  std::vector<std::size_t> links;
+};
+
+/// The groups in the order in which they close on the frame, the drive and one another, and the
+/// links that are left: none where the mechanism is a drive and groups. Which groups there are does
 /// not depend on the order in which they are found (the decomposition into Assur groups by a drive
 /// is unique; Assur 1914), which is that of the joints.
 struct DrawnGroups {
-  std::vector<DrawnDyad> dyads;
+  std::vector<std::variant<DrawnDyad, DrawnGroup>> groups;
   std::vector<std::size_t> left;
 };
 
