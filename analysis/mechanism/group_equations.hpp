@@ -63,4 +63,8 @@ class GroupEquations {
 /// The determinant of the equations' matrix, each of its rows of length 1: 0 at a dead point.
 double group_determinant(const GroupMatrix& matrix);
 
+/// Magnitudes below this are those of a dead point, or of a part that cannot move while another is
+/// loose, but for rounding of places that a file gives.
+inline constexpr double kDeadDeterminant = 1e-9;
+
 }  // namespace cognate

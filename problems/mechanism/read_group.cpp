@@ -23,8 +23,6 @@ constexpr std::string_view kOf = "of";
 
 /// In parts of a group: joints farther apart than this are not where the file says.
 constexpr double kApart = 1e-6;
-/// Determinants below this are those of a dead point, or of a part that cannot move.
-constexpr double kDead = 1e-9;
 
 /// Reads one group.
 class GroupReader {
@@ -205,7 +203,7 @@ class GroupReader {
                                            "to {:.3g} apart; expected places in which they meet",
                                            apart));
     }
-    if (!(std::abs(group_determinant(equations.matrix<1>(bodies))) > kDead)) {
+    if (!(std::abs(group_determinant(equations.matrix<1>(bodies))) > kDeadDeterminant)) {
       table_.fault(kAt,
                    "is a dead point of the group, where two assemblies meet, or a part of it "
                    "cannot move while another is loose; expected another position");

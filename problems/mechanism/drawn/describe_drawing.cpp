@@ -7,7 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "analysis/mechanism/group_equations.hpp"
 #include "analysis/numbers/angle.hpp"
+#include "problems/mechanism/part_names.hpp"
 #include "problems/toml/nearest.hpp"
 
 namespace cognate::problems::reading {
@@ -110,8 +112,8 @@ class Describer {
     for (std::size_t i = 0; i < drawing_.joints.size(); ++i) {
       if (add_joints(group, i, described.joints)) joints.push_back(i);
     }
-    described_.chain.dyads.push_back(
-        {.type = DyadType::group, .names = {}, .group = std::move(described)});
+    described_.chain.dyads.push_back({.type = DyadType::group, .names = {}, .group = described});
+    fault_dead(group, described);
     placed_.insert(placed_.end(), group.links.begin(), group.links.end());
     for (const std::size_t link : group.links) add_points(link, joints);
   }
@@ -335,6 +337,40 @@ class Describer {
       if (is_own(of[k])) joints.push_back(described_joint(joint(i), of[0], of[k]));
     }
     return true;
+  }
+
+  /// A fault where the group's links could move with the drive at rest.
+  void fault_dead(const DrawnGroup& group, const GroupDescription& described) {
+    // Bodies: the group's links after all others, each with the axes of its link.
+    std::vector<std::size_t> order = placed_;
+    order.insert(order.end(), group.links.begin(), group.links.end());
+    std::vector<BodyMotion<double, 0>> bodies(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      bodies[i].origin[0] = axes_[order[i]].origin;
+      bodies[i].direction = axes_[order[i]].direction;
+    }
+    const auto number = [&](const std::string& link) {
+      const auto named = [&](std::size_t i) { return name(i) == link; };
+      return static_cast<int>(std::ranges::find_if(order, named) - order.begin());
+    };
+    Group equivalent{.drawn = described.drawn, .joints = {}};
+    for (const GroupJointDescription& joint : described.joints) {
+      GroupJoint added{{number(joint.of[0]), joint.at[0]}, {number(joint.of[1]), joint.at[1]}};
+      if (joint.directions) {
+        added.slides = true;
+        added.along_first = unit_vector((*joint.directions)[0]);
+        added.along_second = unit_vector((*joint.directions)[1]);
+      }
+      equivalent.joints.push_back(added);
+    }
+    const GroupEquations equations(equivalent, placed_.size());
+    if (std::abs(group_determinant(equations.matrix<0>(bodies))) > kDeadDeterminant) return;
+    std::vector<std::string_view> names;
+    for (const std::size_t link : group.links) names.push_back(name(link));
+    faults_.add(joint(joints_of(drawing_, group.links.front()).front()).where,
+                fmt::format("{} are drawn at a dead point, where two assemblies meet, or a part of "
+                            "them cannot move while another is loose; expected another position",
+                            listed(std::move(names))));
   }
 
   GroupJointDescription described_joint(const DrawnJoint& drawn, std::size_t first,

@@ -159,7 +159,7 @@ TEST(Group, MovesAsTheSameMechanismDrivenByAnotherLink) {
     }
   }
   EXPECT_GT(compared, 3000);
-  EXPECT_GT(dead, 20);
+  EXPECT_GT(dead, 15);
 }
 
 TEST(Group, HasTheDerivativesOfItsMotion) {
