@@ -191,6 +191,7 @@ set(mechanism_evaluator
   problems/mechanism/directions.cpp
   problems/mechanism/drawn/check_drawing.cpp
   problems/mechanism/drawn/describe_drawing.cpp
+  problems/mechanism/drawn/describe_group.cpp
   problems/mechanism/drawn/determined_links.cpp
   problems/mechanism/drawn/drawing.cpp
   problems/mechanism/drawn/groups.cpp

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "analysis/mechanism/group_equations.hpp"
 #include "analysis/numbers/angle.hpp"
+#include "problems/mechanism/drawn/describe_group.hpp"
 #include "problems/mechanism/part_names.hpp"
 #include "problems/toml/nearest.hpp"
 
@@ -20,26 +20,11 @@ namespace {
 /// is known to 1e-15.
 constexpr double kDeadSine = 1e-6;
 
-/// Coordinates this much smaller than the drawing are 0 but for rounding.
-constexpr double kRounding = 1e-15;
-
-/// Axes of a link where it is drawn.
-struct DrawnAxes {
-  Vec2d origin{};
-  Vec2d direction{1, 0};
-};
-
-double size_of(const Drawing& drawing) {
-  double size = 0;
-  for (const DrawnJoint& joint : drawing.joints) size = std::max(size, norm1(joint.at));
-  return size;
-}
-
 /// Whether a joint of the driving link can be its pin: any of a slider, of a crank one that is not
 /// at its pivot.
 bool is_away(const DrawnJoint& joint, const DrawnJoint& on_frame, double size) {
   if (&joint == &on_frame || joint.direction) return false;
-  return on_frame.direction || norm(joint.at - on_frame.at) > kRounding * size;
+  return on_frame.direction || norm(joint.at - on_frame.at) > kDrawnRounding * size;
 }
 
 class Describer {
@@ -47,8 +32,7 @@ class Describer {
   Describer(const Drawing& drawing, FaultList& faults)
       : drawing_(drawing),
         faults_(faults),
-        axes_(drawing.links.size()),
-        placed_{0, drawing.driven},
+        links_{std::vector<Placement>(drawing.links.size()), {0, drawing.driven}},
         size_(size_of(drawing)) {}
 
   void describe_frame() {
@@ -65,14 +49,14 @@ class Describer {
     }
     const std::size_t pin = driving_pin(link, on_frame);
     if (joint(on_frame).direction) {
-      axes_[link] = {joint(pin).at, *joint(on_frame).direction};
+      links_.axes[link] = {joint(pin).at, *joint(on_frame).direction};
       described_.chain.drive =
           SliderDescription{slide_of(on_frame, 0, joint(pin).at), joint(pin).name, name(link)};
     } else {
       const double length = length_of(link, on_frame, pin);
       if (length == 0) return;
       const Vec2d along = joint(pin).at - joint(on_frame).at;
-      axes_[link] = {joint(on_frame).at, (1 / length) * along};
+      links_.axes[link] = {joint(on_frame).at, (1 / length) * along};
       described_.drive = angle_of(along);
       described_.chain.drive =
           CrankDescription{joint(on_frame).name, joint(pin).name, length, name(link)};
@@ -101,20 +85,10 @@ class Describer {
   }
 
   void describe(const DrawnGroup& group) {
-    for (const std::size_t link : group.links) take_axes(link);
-    GroupDescription described;
-    described.drive = described_.drive;
-    for (const std::size_t link : group.links) {
-      described.names.push_back(name(link));
-      described.drawn.push_back({axes_[link].origin, axes_[link].direction});
-    }
-    std::vector<std::size_t> joints;
-    for (std::size_t i = 0; i < drawing_.joints.size(); ++i) {
-      if (add_joints(group, i, described.joints)) joints.push_back(i);
-    }
-    described_.chain.dyads.push_back({.type = DyadType::group, .names = {}, .group = described});
-    fault_dead(group, described);
-    placed_.insert(placed_.end(), group.links.begin(), group.links.end());
+    auto [described, joints] = describe_group(drawing_, group, described_.drive, links_);
+    if (could_move_alone(drawing_, described, links_)) fault_dead(group);
+    described_.chain.dyads.push_back(
+        {.type = DyadType::group, .names = {}, .group = std::move(described)});
     for (const std::size_t link : group.links) add_points(link, joints);
   }
 
@@ -144,7 +118,7 @@ class Describer {
   /// From one joint of a link to another; 0, with a fault, where they coincide.
   double length_of(std::size_t link, std::size_t from, std::size_t to) {
     const double length = norm(joint(to).at - joint(from).at);
-    if (length > kRounding * size_) return length;
+    if (length > kDrawnRounding * size_) return length;
     faults_.add(joint(to).where,
                 fmt::format("joints {} of {} are at the same place; expected a distance",
                             joint_names(drawing_, {from, to}), in_quotes(name(link))));
@@ -184,6 +158,15 @@ class Describer {
     return true;
   }
 
+  void fault_dead(const DrawnGroup& group) {
+    std::vector<std::string_view> names;
+    for (const std::size_t link : group.links) names.push_back(name(link));
+    faults_.add(joint(joints_of(drawing_, group.links.front()).front()).where,
+                fmt::format("{} are drawn at a dead point, where two assemblies meet, or a part of "
+                            "them cannot move while another is loose; expected another position",
+                            listed(std::move(names))));
+  }
+
   static Assembly assembly_of(double signed_sine) {
     return signed_sine > 0 ? Assembly::open : Assembly::crossed;
   }
@@ -194,15 +177,13 @@ class Describer {
   }
 
   Vec2d in_axes(std::size_t link, const Vec2d& place) const {
-    const Vec2d at = conj(axes_[link].direction) * (place - axes_[link].origin);
-    const auto rounded = [&](double x) { return std::abs(x) <= kRounding * size_ ? 0 : x; };
-    return {rounded(at.x), rounded(at.y)};
+    return links_.in_axes(link, place, size_);
   }
 
   /// The line of a slide on `link` through a place of the drawing.
   SlideDescription slide_of(std::size_t slide, std::size_t link, const Vec2d& through) const {
-    return {in_axes(link, through), angle_of(conj(axes_[link].direction) * *joint(slide).direction),
-            0, name(link)};
+    return {in_axes(link, through),
+            angle_of(conj(links_.axes[link].direction) * *joint(slide).direction), 0, name(link)};
   }
 
   void describe_rrr(const DrawnDyad& dyad) {
@@ -220,8 +201,8 @@ class Describer {
         .lengths = {first, second},
         .assembly = assembly_of(sine),
         .new_point = joint(dyad.inner).name};
-    axes_[dyad.first] = {joint(dyad.first_outer).at, p};
-    axes_[dyad.second] = {joint(dyad.second_outer).at, q};
+    links_.axes[dyad.first] = {joint(dyad.first_outer).at, p};
+    links_.axes[dyad.second] = {joint(dyad.second_outer).at, q};
     add(std::move(described), dyad);
   }
 
@@ -240,8 +221,8 @@ class Describer {
         .slides = {slide_of(dyad.second_outer, carrier(dyad.second_outer, dyad.second), pin)},
         .assembly = assembly_of(sine),
         .new_point = joint(dyad.inner).name};
-    axes_[dyad.first] = {joint(dyad.first_outer).at, along};
-    axes_[dyad.second] = {pin, guide};
+    links_.axes[dyad.first] = {joint(dyad.first_outer).at, along};
+    links_.axes[dyad.second] = {pin, guide};
     add(std::move(described), dyad);
   }
 
@@ -252,16 +233,16 @@ class Describer {
     const double distance = norm(block - pivot);
     const Vec2d line = *joint(dyad.inner).direction;
     const double along = dot(block - pivot, line);
-    if (is_dead(dyad, distance > kRounding * size_ ? along / distance : 0)) return;
+    if (is_dead(dyad, distance > kDrawnRounding * size_ ? along / distance : 0)) return;
     const Vec2d bar = along > 0 ? line : -line;
     const double offset = cross(bar, block - pivot);
     DyadDescription described{
         .type = DyadType::rpr,
         .joins = {joint(dyad.first_outer).name, joint(dyad.second_outer).name},
-        .offset = std::abs(offset) <= kRounding * size_ ? 0 : offset,
+        .offset = std::abs(offset) <= kDrawnRounding * size_ ? 0 : offset,
         .assembly = Assembly::open};
-    axes_[dyad.first] = {block, bar};
-    axes_[dyad.second] = {pivot, bar};
+    links_.axes[dyad.first] = {block, bar};
+    links_.axes[dyad.second] = {pivot, bar};
     add(std::move(described), dyad);
   }
 
@@ -275,8 +256,8 @@ class Describer {
         .slides = {slide_of(dyad.first_outer, carrier(dyad.first_outer, dyad.first), pin),
                    slide_of(dyad.second_outer, carrier(dyad.second_outer, dyad.second), pin)},
         .new_point = joint(dyad.inner).name};
-    axes_[dyad.first] = {pin, first};
-    axes_[dyad.second] = {pin, second};
+    links_.axes[dyad.first] = {pin, first};
+    links_.axes[dyad.second] = {pin, second};
     add(std::move(described), dyad);
   }
 
@@ -292,106 +273,14 @@ class Describer {
         .slides = {slide_of(dyad.second_outer, carrier(dyad.second_outer, dyad.second), pin)},
         .slot = angle_of(conj(guide) * slot),
         .new_point = name(dyad.second)};
-    axes_[dyad.first] = {pin, slot};
-    axes_[dyad.second] = {pin, guide};
+    links_.axes[dyad.first] = {pin, slot};
+    links_.axes[dyad.second] = {pin, guide};
     add(std::move(described), dyad);
-  }
-
-  /// Of a link of a group: the origin at its first pin, the first axis towards its second, or along
-  /// its slide.
-  void take_axes(std::size_t link) {
-    const auto pins = pins_of(link);
-    DrawnAxes& axes = axes_[link];
-    if (!pins.empty()) axes.origin = joint(pins.front()).at;
-    for (const std::size_t i : joints_of(drawing_, link)) {
-      if (joint(i).direction) axes.direction = *joint(i).direction;
-    }
-    for (const std::size_t i : pins) {
-      const Vec2d along = joint(i).at - axes.origin;
-      if (norm(along) <= kRounding * size_) continue;
-      axes.direction = (1 / norm(along)) * along;
-      return;
-    }
-  }
-
-  /// The joints of a group that the drawing's joint `i` is: of a pin of m links m − 1. Whether it
-  /// is one of the group.
-  bool add_joints(const DrawnGroup& group, std::size_t i,
-                  std::vector<GroupJointDescription>& joints) const {
-    const auto is_own = [&](std::size_t link) {
-      return std::ranges::find(group.links, link) != group.links.end();
-    };
-    const auto is_later = [&](std::size_t link) {
-      return !is_own(link) && std::ranges::find(placed_, link) == placed_.end();
-    };
-    std::vector<std::size_t> of = joint(i).of;
-    std::erase_if(of, is_later);
-    const auto own = std::ranges::count_if(of, is_own);
-    if (own == 0 || of.size() < 2) return false;
-    // A link that is there before carries the pin or the guide, else one with the most joints.
-    std::ranges::stable_sort(of, {}, [&](std::size_t link) {
-      const auto count = static_cast<std::ptrdiff_t>(joints_of(drawing_, link).size());
-      return std::pair(is_own(link), joint(i).direction ? -count : 0);
-    });
-    for (std::size_t k = 1; k < of.size(); ++k) {
-      if (is_own(of[k])) joints.push_back(described_joint(joint(i), of[0], of[k]));
-    }
-    return true;
-  }
-
-  /// A fault where the group's links could move with the drive at rest.
-  void fault_dead(const DrawnGroup& group, const GroupDescription& described) {
-    // Bodies: the group's links after all others, each with the axes of its link.
-    std::vector<std::size_t> order = placed_;
-    order.insert(order.end(), group.links.begin(), group.links.end());
-    std::vector<BodyMotion<double, 0>> bodies(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      bodies[i].origin[0] = axes_[order[i]].origin;
-      bodies[i].direction = axes_[order[i]].direction;
-    }
-    const auto number = [&](const std::string& link) {
-      const auto named = [&](std::size_t i) { return name(i) == link; };
-      return static_cast<int>(std::ranges::find_if(order, named) - order.begin());
-    };
-    Group equivalent{.drawn = described.drawn, .joints = {}};
-    for (const GroupJointDescription& joint : described.joints) {
-      GroupJoint added{{number(joint.of[0]), joint.at[0]}, {number(joint.of[1]), joint.at[1]}};
-      if (joint.directions) {
-        added.slides = true;
-        added.along_first = unit_vector((*joint.directions)[0]);
-        added.along_second = unit_vector((*joint.directions)[1]);
-      }
-      equivalent.joints.push_back(added);
-    }
-    const GroupEquations equations(equivalent, placed_.size());
-    if (std::abs(group_determinant(equations.matrix<0>(bodies))) > kDeadDeterminant) return;
-    std::vector<std::string_view> names;
-    for (const std::size_t link : group.links) names.push_back(name(link));
-    faults_.add(joint(joints_of(drawing_, group.links.front()).front()).where,
-                fmt::format("{} are drawn at a dead point, where two assemblies meet, or a part of "
-                            "them cannot move while another is loose; expected another position",
-                            listed(std::move(names))));
-  }
-
-  GroupJointDescription described_joint(const DrawnJoint& drawn, std::size_t first,
-                                        std::size_t second) const {
-    const Vec2d place = drawn.direction ? axes_[second].origin : drawn.at;
-    GroupJointDescription described{.name = drawn.name,
-                                    .of = {name(first), name(second)},
-                                    .at = {in_axes(first, place), in_axes(second, place)},
-                                    .directions = {}};
-    if (!drawn.direction) return described;
-    described.name.clear();
-    const auto angle = [&](std::size_t link) {
-      return angle_of(conj(axes_[link].direction) * *drawn.direction);
-    };
-    described.directions = {angle(first), angle(second)};
-    return described;
   }
 
   void add(DyadDescription described, const DrawnDyad& dyad) {
     described.names = {name(dyad.first), name(dyad.second)};
-    placed_.insert(placed_.end(), {dyad.first, dyad.second});
+    links_.numbers.insert(links_.numbers.end(), {dyad.first, dyad.second});
     described_.chain.dyads.push_back(std::move(described));
     add_points(dyad.first, {dyad.first_outer, dyad.inner});
     add_points(dyad.second, {dyad.second_outer, dyad.inner});
@@ -407,8 +296,7 @@ class Describer {
 
   const Drawing& drawing_;
   FaultList& faults_;
-  std::vector<DrawnAxes> axes_;
-  std::vector<std::size_t> placed_;  ///< links that are described
+  DescribedLinks links_;
   DescribedDrawing described_;
   double size_;
 };
