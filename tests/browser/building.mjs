@@ -98,6 +98,7 @@ export async function pinsAt(page, drive, names) {
 
 // Types another value into a field of the lists, and leaves it.
 export async function typedIn(page, cell, value) {
+  await page.locator("#forces").evaluate((one) => { one.open = true; });
   await page.locator(`[data-cell="${cell}"]`).fill(value);
   await page.keyboard.press("Enter");
 }

@@ -29,11 +29,11 @@ function byJoints(pins, slider) {
 }
 
 const isNear = (p, q, size) => Math.hypot(p[0] - q[0], p[1] - q[1]) <= 1e-9 * size;
-const sizeOf = (joints) => Math.max(...joints.flatMap(({ at }) => at.map(Math.abs)), 1e-9);
+const extentOf = (joints) => Math.max(...joints.flatMap(({ at }) => at.map(Math.abs)), 1e-9);
 
 // The masses of a file where they are; those of blocks at their pins go without places.
 function withMasses(state, link, centres, millimetres) {
-  const given = new Map(link.map((one) => [one.name, one])), size = sizeOf(state.joints);
+  const given = new Map(link.map((one) => [one.name, one])), size = extentOf(state.joints);
   const massOf = ({ name }) => {
     const { mass = 0, inertia = 0 } = given.get(name) ?? {};
     if (mass === 0 && inertia === 0) return { name, mass };
@@ -46,7 +46,7 @@ function withMasses(state, link, centres, millimetres) {
 
 // Where a force acts on a link: at a joint of it, or at a new point.
 function withPointAt(state, link, at) {
-  const there = state.joints.find((joint) => joint.of.includes(link) && !isFixed(joint) && isNear(joint.at, at, sizeOf(state.joints)));
+  const there = state.joints.find((joint) => joint.of.includes(link) && !isFixed(joint) && isNear(joint.at, at, extentOf(state.joints)));
   if (there) return { state, on: there.name };
   const name = freshName(state);
   return { state: { ...state, joints: [...state.joints, { name, at, of: [link] }] }, on: name };

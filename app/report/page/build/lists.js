@@ -13,6 +13,8 @@ const plain = (x) => String(Number(x.toFixed(4)));
 const exactly = (x) => String(Number(x.toPrecision(10)));
 const together = (names) => names.map(term).join("–");
 
+const hasForces = ({ loads, links }) => loads.length > 0 || links.some(({ mass, inertia }) => mass > 0 || inertia > 0);
+
 const RATES = ["speed", "acceleration"];
 const rateField = (key) => document.querySelector(`[data-cell="drive.${key}"]`);
 
@@ -170,7 +172,9 @@ export class Lists {
     this.#loads(state);
     this.#drive(state);
     byId("lists-none").hidden = state.joints.length > 0;
-    for (const id of ["weighs-choice", "rate"]) byId(id).hidden = state.links.length === 0;
+    byId("forces").hidden = state.links.length === 0;
+    if (hasForces(state) && !this.hadForces) byId("forces").open = true;
+    this.hadForces = hasForces(state);
     this.mark();
   }
 }

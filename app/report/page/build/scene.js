@@ -20,7 +20,7 @@ const STILL_MOVE = [0, 0, 1, 0];
 const FAR_AWAY = 3;   // sizes of the mechanism
 const RAIL_MOST = 2;  // widths of the picture
 const SMALL = 0.3, LARGE = 1.2;   // of the width of the sheet
-const BESIDE_ARC = [30, -18];   // pixels
+const BESIDE_ARC = [0, -34];   // pixels
 const NAME_AWAY = 18, BESIDE_GROUND = [22, 7], BEYOND_TIP = [30, 14];   // pixels
 
 export class BuildScene extends Picture {
