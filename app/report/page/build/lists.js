@@ -9,8 +9,9 @@ import { canDrive, directionOf, driverOf, drivesBySlide, FRAME, GRAVITY, isBlock
 import { renewRows } from "./rows.js";
 import { optionsOfWindow, windowOfOption } from "./windows.js";
 
-const plain = (x) => String(Number(x.toFixed(4)));
-const exactly = (x) => String(Number(x.toPrecision(10)));
+// As many digits as a narrow page has room for.
+const plain = (x) => String(Number(Number(x.toFixed(4)).toPrecision(7)));
+const precise = (x) => String(Number(x.toPrecision(6)));
 const together = (names) => names.map(term).join("–");
 
 const hasForces = ({ loads, links }) => loads.length > 0 || links.some(({ mass, inertia }) => mass > 0 || inertia > 0);
@@ -55,7 +56,7 @@ export class Lists {
   // A number that may be left out: then it is the one that is shown in grey.
   #choice(key, label, value, otherwise, make, attributes = {}) {
     const read = (input) => (input.value === "" && !input.validity.badInput ? null : numberIn(input));
-    return this.#field(key, label, { type: "number", step: "any", value: value === null ? "" : exactly(value), placeholder: otherwise === undefined ? "" : number(otherwise, 3), title: label, ...attributes }, make, read);
+    return this.#field(key, label, { type: "number", step: "any", value: value === null ? "" : precise(value), placeholder: otherwise === undefined ? "" : number(otherwise, 3), title: label, ...attributes }, make, read);
   }
 
   // Under its new name the row is another: its field has the focus again.
@@ -111,9 +112,9 @@ export class Lists {
   // A mass, and where it is and how large its inertia where that is not as of mass that is spread evenly.
   #mass(state, { name, mass, centre = null, inertia = null }) {
     const even = spreadOf(state, name), isNone = mass === 0 && inertia === null ? { disabled: "" } : {};
-    const axis = (k) => this.#choice(`link.${name}.centre.${"xy"[k]}`, say("build.centre_of", { axis: "xy"[k], name }), centre && centre[k], even?.centre[k],
+    const axis = (k) => this.#choice(`link.${name}.centre.${"xy"[k]}`, say("build.centre_of", { axis: "xy"[k], name }), centre && Number(plain(centre[k])), even?.centre[k],
       (now, value) => setCentre(now, name, withAxis(now, name, k, value)), isNone);
-    return this.#row({ link: name }, [name, this.#number(`link.${name}.mass`, say("build.mass_of", { name }), mass, (now, value) => setMass(now, name, value), { min: 0, value: exactly(mass), title: exactly(mass) }), axis(0), axis(1),
+    return this.#row({ link: name }, [name, this.#number(`link.${name}.mass`, say("build.mass_of", { name }), mass, (now, value) => setMass(now, name, value), { min: 0, value: precise(mass), title: precise(mass) }), axis(0), axis(1),
       this.#choice(`link.${name}.inertia`, say("build.inertia_of", { name }), inertia, even ? mass * even.square * 1e-6 : undefined, (now, value) => setInertia(now, name, value), { min: 0, ...isNone })], "mass");
   }
 
@@ -131,7 +132,7 @@ export class Lists {
   #load(state, load, name) {
     const { on, force, torque } = load, away = this.#away(`load.${name}.away`, say("build.remove_load", { name: on }), (now) => removeLoad(now, name));
     const part = (k) => this.#number(`load.${name}.${"xy"[k]}`, say("build.force_of", { axis: "xy"[k], name: on }), force[k], (now, x) => setLoad(now, name, loadOf(now, name).force.with(k, x)));
-    const sizes = force ? [part(0), part(1)] : [this.#number(`load.${name}.torque`, say("build.torque_of", { name: on }), torque, (now, x) => setTorque(now, name, x), { value: exactly(torque) })];
+    const sizes = force ? [part(0), part(1)] : [this.#number(`load.${name}.torque`, say("build.torque_of", { name: on }), torque, (now, x) => setTorque(now, name, x), { value: precise(torque) })];
     return this.#row({ load: name }, [on, ...sizes, this.#acts(state, name, load), away]);
   }
 
@@ -145,7 +146,7 @@ export class Lists {
   #drive(state) {
     const units = drivesBySlide(state) ? ["build.speed_unit_slide", "build.acceleration_unit_slide"] : ["build.speed_unit_turn", "build.acceleration_unit_turn"];
     RATES.forEach((key, i) => {
-      rateField(key).value = exactly(state[key]);
+      rateField(key).value = precise(state[key]);
       byId(`${key}-unit`).textContent = say(units[i]);
     });
     const { gravity } = state, isOwn = gravity && gravity.some((x, k) => x !== GRAVITY[k]);
