@@ -21,7 +21,9 @@ constexpr double kSameLimit = 1e-7;
 constexpr double kStanding = 1e-11;
 /// Parts of its size to which an output is a cubic between samples.
 constexpr double kCubic = 1e-9;
-constexpr std::size_t kMostSamples = 100'000;
+/// Samples in an assembly range at most, beside those at its places: of narrow parts of the motion
+/// each takes some hundred, down to rounding.
+constexpr std::size_t kMostRefined = 10'000;
 
 /// An output as a function of the state.
 struct Output {
@@ -63,6 +65,7 @@ class Collector {
   };
 
   double rate(double drive) {
+    ++range_.evaluations;
     return motion_.move_to(drive) ? output_.rate(motion_)
                                   : std::numeric_limits<double>::quiet_NaN();
   }
@@ -71,17 +74,22 @@ class Collector {
   double value_near(double reference) const { return counted(reference, output_.value(motion_)); }
 
   void sample(const AssemblyRange& run) {
+    std::vector<Sample> found;
     for (const double drive : run_places(motion_.assembly_ranges(), run)) {
       const bool is_end = drive == run.from || drive == run.to;
-      const auto found = at(run, drive);
-      const auto next = found || !is_end ? found : limit_at_end(run, drive);
-      if (!next) continue;
-      if (!samples_.empty() && samples_.back().run == &run) fill(samples_.back(), *next);
-      add(*next);
+      const auto next = at(run, drive);
+      if (next) {
+        found.push_back(*next);
+      } else if (const auto limit = is_end ? limit_at_end(run, drive) : std::nullopt) {
+        found.push_back(*limit);
+      }
     }
+    refine(found);
+    for (const Sample& sample : found) add(sample);
   }
 
   std::optional<Sample> at(const AssemblyRange& run, double drive) {
+    ++range_.evaluations;
     if (!motion_.move_to(drive)) return std::nullopt;
     if (!output_.is_angle) size_ = std::max(size_, size(motion_.bodies()));
     return Sample{drive, output_.value(motion_), output_.rate(motion_), &run};
@@ -102,22 +110,52 @@ class Collector {
     return output_.is_angle ? a + std::remainder(b - a, kTurn) : b;
   }
 
-  /// Adds what lies between `a` and `b` until the cubic through two neighbours is the output to
-  /// `kCubic`: next to a change point it may make half a turn within 1e-12 of the drive.
-  void fill(const Sample a, const Sample b) {
+  /// A part of the drive between two samples, and by how much more than `kCubic` its middle lies
+  /// beside the cubic through them.
+  struct Gap {
+    Sample from, middle, to;
+    double excess = 0;
+  };
+
+  /// Between `a` and `b`; empty where rounding leaves no place or there is no position.
+  std::optional<Gap> gap(const Sample& a, const Sample& b) {
     const double width = b.drive - a.drive;
     const double place = std::max(motion_.assembly_ranges().scale, std::abs(b.drive));
-    if (!(width > kNoWidth * place) || samples_.size() > kMostSamples) return;
-    if (!std::isfinite(a.rate) || !std::isfinite(b.rate)) return;
+    if (!(width > kNoWidth * place)) return std::nullopt;
+    if (!std::isfinite(a.rate) || !std::isfinite(b.rate)) return std::nullopt;
     const auto middle = at(*a.run, std::midpoint(a.drive, b.drive));
-    if (!middle) return;
+    if (!middle) return std::nullopt;
     const double here = counted(a.value, middle->value), end = counted(here, b.value);
     const double cubic = 0.5 * (a.value + end) + 0.125 * width * (a.rate - b.rate);
     const double rounding = kNoWidth * place * std::abs(middle->rate);
-    const bool is_smooth = std::abs(here - cubic) <= kCubic * size_ + rounding;
-    if (!is_smooth) fill(a, *middle);
-    add(*middle);
-    if (!is_smooth) fill(samples_.back(), b);
+    return Gap{a, *middle, b, std::abs(here - cubic) - kCubic * size_ - rounding};
+  }
+
+  /// Adds to `samples` what lies between them until the cubic through two neighbours is the output
+  /// to `kCubic`: next to a change point it may make half a turn within 1e-12 of the drive. The
+  /// largest gap comes first, so that those which are left when there are too many, as next to a
+  /// position that is all but undetermined, are no larger than the rounding of what is seen.
+  void refine(std::vector<Sample>& samples) {
+    std::vector<Gap> open;
+    const std::size_t most = samples.size() + kMostRefined;
+    const auto look = [&](const Sample& from, const Sample& to) {
+      const auto next = gap(from, to);
+      if (!next) return;
+      samples.push_back(next->middle);
+      if (!(next->excess > 0)) return;
+      open.push_back(*next);
+      std::ranges::push_heap(open, {}, &Gap::excess);
+    };
+    const std::vector<Sample> places = samples;
+    for (std::size_t i = 1; i < places.size(); ++i) look(places[i - 1], places[i]);
+    while (!open.empty() && samples.size() < most) {
+      std::ranges::pop_heap(open, {}, &Gap::excess);
+      const Gap largest = open.back();
+      open.pop_back();
+      look(largest.from, largest.middle);
+      look(largest.middle, largest.to);
+    }
+    std::ranges::sort(samples, {}, &Sample::drive);
   }
 
   void add(Sample next) {

@@ -1,6 +1,7 @@
 /// @file Limit positions of an output: how far it goes, where it turns back, and how fast each way.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -20,13 +21,15 @@ struct OutputValue {
 /// An output over the assembly ranges of a motion. `limits` are where its derivative by the drive
 /// vanishes with a change of sign, in the order of the motion, refined to rounding; a position that
 /// a whole turn of the drive reaches twice, at its start and end, counts once. `least` and
-/// `greatest` take the ends of the ranges in.
+/// `greatest` take the ends of the ranges in. Where more than the rounding of the numbers is lost,
+/// next to positions that are all but undetermined, all of this is known to what is left there.
 struct OutputRange {
   std::vector<OutputValue> limits;
   OutputValue least;
   OutputValue greatest;
-  OutputValue first;  ///< at the least value of the drive
-  OutputValue last;   ///< at its greatest
+  OutputValue first;            ///< at the least value of the drive
+  OutputValue last;             ///< at its greatest
+  std::size_t evaluations = 0;  ///< positions of the mechanism that were computed for this
 
   /// The stroke (a length) or the swing (radians).
   double stroke() const { return greatest.value - least.value; }

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "analysis/mechanism/kinematics.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/computation.hpp"
 #include "app/console/messages.hpp"
@@ -33,6 +34,27 @@ double millimetres(const problems::AnalysisProblem& problem) {
   return is_true ? 1000 * problems::metres(problem.length_unit) : 1;
 }
 
+/// Where masses and loads are where the drive begins, by the names of their bodies.
+nlohmann::ordered_json places_of(const problems::AnalysisProblem& problem) {
+  const auto& bodies = problem.mechanism.bodies;
+  MechanismMotion<0> motion(problem.mechanism.mechanism);
+  motion.move_to(problem.drive.start);
+  const auto place = [&](const Attached<double>& at) {
+    const Vec2d point = motion.point(at)[0];
+    return nlohmann::ordered_json::array({point.x, point.y});
+  };
+  auto centres = nlohmann::ordered_json::object();
+  for (std::size_t i = 1; i < problem.inertias.size(); ++i) {
+    centres[bodies[i]] = place({static_cast<int>(i), problem.inertias[i].centre});
+  }
+  auto loads = nlohmann::ordered_json::array();
+  for (const problems::LoadRule& load : problem.loads) {
+    loads.push_back(
+        {{"body", bodies[static_cast<std::size_t>(load.at.body)]}, {"at", place(load.at)}});
+  }
+  return {{"centres", std::move(centres)}, {"loads", std::move(loads)}};
+}
+
 /// What the page begins with: nothing, or the mechanism of a file by its joints as drawn.
 tl::expected<nlohmann::ordered_json, ExitStatus> beginning(const std::string& file,
                                                            const Options& options) {
@@ -46,6 +68,7 @@ tl::expected<nlohmann::ordered_json, ExitStatus> beginning(const std::string& fi
     return tl::unexpected(exit_bad_input);
   }
   data["problem"] = to_json(*drawn);
+  data["places"] = places_of(*problem);
   data["millimetres"] = millimetres(*problem);
   data["left_out"] = problem->tolerances.has_value() || problem->layers.has_value();
   return data;

@@ -1,13 +1,20 @@
 // Mechanisms that are built by hand, without their page: random edits, and what each edit does.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { addLink, addPoint, addSlider, mergeJoints, moveJoint, moveLink, putPivot, removeJoint, removeLink, removeLoad, removeSlider, rename, setDegrees, setDriven, setLoad, setMass, setWeighs } from "../../app/report/page/build/edits.js";
+import { addLink, addPoint, addSlider, mergeJoints, moveJoint, moveLink, putPivot, removeJoint, removeLink, removeLoad, removeSlider, rename, setCentre, setDegrees, setDriven, setInertia, setLoad, setMass, setRate, setTorque, setWeighs, setWindow } from "../../app/report/page/build/edits.js";
 import { evenMass } from "../../app/report/page/build/even_mass.js";
 import { EXAMPLES } from "../../app/report/page/build/examples.js";
 import { hullOf, spotAt } from "../../app/report/page/build/hits.js";
-import { directionOf, driverOf, EMPTY, isSound, jointsOn, mobilityOf, MOST, pinOf } from "../../app/report/page/build/model.js";
+import { directionOf, driverOf, EMPTY, isSound, jointsOn, linksOfLoad, loadNames, mobilityOf, MOST, pinOf } from "../../app/report/page/build/model.js";
 import { TOOLS } from "../../app/report/page/build/tools.js";
 import { randomNumbers } from "../bench/report/drawings.mjs";
+
+// What the module of words asks of a page.
+const words = readFileSync(new URL("../../app/report/page/words/en.json", import.meta.url), "utf8");
+Object.assign(globalThis, { location: { hash: "#en" }, navigator: { languages: [] },
+  document: { getElementById: () => ({ textContent: `{"en":${words}}` }), documentElement: { dataset: {} }, querySelectorAll: () => [] } });
+const { problemOfState } = await import("../../app/report/page/build/chain.js");
 
 const RUNS = process.env.WHOLE ? 2000 : 200, EDITS = 60;
 
@@ -35,7 +42,12 @@ function assertWhole(state, what) {
     assert.ok(held > 1, `${what}: ${name} hangs on nothing`);
   }
   assert.ok(state.driven === null || links.includes(state.driven), what);
-  for (const { on } of state.loads) assert.ok(state.joints.some(({ name }) => name === on), what);
+  for (const { on, force, torque, window } of state.loads) {
+    const joint = state.joints.find(({ name }) => name === on);
+    assert.ok(force ? joint : links.includes(on) && Number.isFinite(torque), `${what}: load on ${on}`);
+    if (window) assert.ok(force ? joint.of.includes(window.link) : window.link === on, `${what}: window of ${window.link} on ${on}`);
+  }
+  assert.equal(new Set(loadNames(state)).size, state.loads.length, what);
   for (const [key, most] of Object.entries(MOST)) assert.ok(state[key].length <= most, what);
   const driver = driverOf(state);
   assert.ok(driver === null || links.includes(driver), what);
@@ -43,12 +55,26 @@ function assertWhole(state, what) {
   assert.ok(isSound(state), what);
 }
 
+// Every name that a problem mentions is one of its own.
+function assertNamed({ mechanism: { joint }, link = [], load = [] }, what) {
+  const joints = joint.map(({ name }) => name), links = joint.flatMap(({ of }) => of);
+  assert.equal(new Set(joints).size, joints.length, what);
+  for (const { name, between } of link) assert.ok(between ? between.every((one) => joints.includes(one)) && between[0] !== between[1] : links.includes(name), `${what}: ${name ?? between}`);
+  for (const { on } of load) assert.ok([on].flat().every((one) => joints.includes(one) || links.includes(one)), `${what}: ${on}`);
+}
+
+function randomWindow(state, name, random) {
+  const pick = (list) => list[Math.floor(random() * list.length)], load = state.loads[loadNames(state).indexOf(name)];
+  const when = pick(["always", "advance", "return", [-20, 140]]);
+  return random() < 0.2 ? null : { link: pick(linksOfLoad(state, load)), when, stroke: random() < 0.4 ? [0.1, 0.8] : null };
+}
+
 // One random edit, as [its name, the state after it or null].
 function randomEdit(state, random) {
   const pick = (list) => list[Math.floor(random() * list.length)];
   const place = () => [Math.round(120 * random() - 60), Math.round(84 * random() - 42)];
   const spot = () => spotAt(state, random() < 0.6 && state.joints.length ? pick(state.joints).at.map((x) => x + 2 * (random() - 0.5)) : place(), 3);
-  const joint = pick(state.joints)?.name, other = pick(state.joints)?.name, link = pick(state.links)?.name, slider = pick(state.sliders)?.name, load = pick(state.loads)?.on;
+  const joint = pick(state.joints)?.name, other = pick(state.joints)?.name, link = pick(state.links)?.name, slider = pick(state.sliders)?.name, load = pick(loadNames(state)), { force } = state.loads[loadNames(state).indexOf(load)] ?? {};
   const edits = {
     drag: () => { const { drag } = pick(Object.values(TOOLS)); return drag?.(state, spot(), spot()) ?? null; },
     click: () => { const { click } = pick(Object.values(TOOLS)); return click?.(state, spot()) ?? null; },
@@ -57,10 +83,11 @@ function randomEdit(state, random) {
     pivot: () => putPivot(state, spot()),
     ...(joint && { move: () => moveJoint(state, joint, place()), merge: () => mergeJoints(state, joint, other), load: () => setLoad(state, joint, [Math.round(20 * random() - 10), 5]), name: () => rename(state, joint, pick(["A", "Q", "frame", "", "L1", "ä b", "x'1"])) }),
     ...(joint && random() < 0.5 && { remove: () => removeJoint(state, joint) }),
-    ...(link && { point: () => addPoint(state, link, place()), shift: () => moveLink(state, link, place()), mass: () => setMass(state, link, 3 * random() - 1), drive: () => setDriven(state, link), rename: () => rename(state, link, pick(["bar", "A", "link.1"])) }),
+    ...(link && { point: () => addPoint(state, link, place()), shift: () => moveLink(state, link, place()), mass: () => setMass(state, link, 3 * random() - 1), centre: () => setCentre(state, link, random() < 0.3 ? null : place()), inertia: () => setInertia(state, link, random() < 0.3 ? null : random() - 0.2), torque: () => setTorque(state, link, Math.round(6 * random() - 3)), drive: () => setDriven(state, link), rename: () => rename(state, link, pick(["bar", "A", "link.1"])) }),
     ...(link && random() < 0.3 && { away: () => removeLink(state, link) }),
     ...(slider && { turn: () => setDegrees(state, slider, 360 * random()), free: () => removeSlider(state, slider) }),
-    ...(load && { unload: () => removeLoad(state, load) }),
+    ...(load && { unload: () => removeLoad(state, load), size: () => (force ? setLoad(state, load, [3, Math.round(2 * random())]) : setTorque(state, load, 5)), window: () => setWindow(state, load, randomWindow(state, load, random)) }),
+    rate: () => setRate(state, { speed: 40 * random() - 20 }),
     weigh: () => setWeighs(state, random() < 0.5),
   };
   const name = pick(Object.keys(edits));
@@ -83,11 +110,12 @@ test("random edits never fail, change no state, and make only whole ones", () =>
       counts[name] = (counts[name] ?? 0) + 1;
       assertWhole(next, what);
       state = frozen(next);
+      if (i === EDITS - 1) assertNamed(problemOfState(state), what);
       largest = Math.max(largest, state.joints.length);
       mechanisms += mobilityOf(state) === 1 && driverOf(state) !== null;
     }
   }
-  for (const name of ["drag", "click", "link", "slider", "pivot", "merge", "remove", "away", "rename", "free", "unload"]) assert.ok(counts[name] > RUNS / 20, `${name} ${counts[name]}`);
+  for (const name of ["drag", "click", "link", "slider", "pivot", "merge", "remove", "away", "rename", "free", "unload", "torque", "window", "centre"]) assert.ok(counts[name] > RUNS / 20, `${name} ${counts[name]}`);
   assert.ok(largest > 15 && mechanisms > RUNS, `${largest} joints, ${mechanisms} mechanisms`);
 });
 
@@ -191,4 +219,26 @@ test("examples are whole mechanisms", () => {
     assert.equal(mobilityOf(state), 1, name);
     assert.equal(driverOf(state), "L1", name);
   }
+});
+
+test("loads on one part have names of their own, and are changed by them", () => {
+  const two = { ...fourBar(), loads: [{ on: "C", force: [1, 0] }, { on: "C", force: [0, 2], window: { link: "L3", when: "advance", stroke: null } }, { on: "L2", torque: 3 }] };
+  assert.deepEqual(loadNames(two), ["C", "C#2", "L2"]);
+  assert.deepEqual(setLoad(two, "C#2", [5, 5]).loads[1], { on: "C", force: [5, 5], window: two.loads[1].window });
+  assert.deepEqual(removeLoad(two, "C").loads.map(({ force, torque }) => force ?? torque), [[0, 2], 3]);
+  assert.deepEqual(setTorque(two, "L2", 0).loads.length, 2);
+  // A window ends with the link that it follows, a torque with its own.
+  const without = removeLink(rename(two, "L3", "rocker"), "rocker");
+  assert.deepEqual(without.loads[1], { on: "C", force: [0, 2] });
+  assert.deepEqual(removeLink(two, "L2").loads.map(({ on }) => on), ["C", "C"]);
+});
+
+test("a force in a window is written on the link that it follows", () => {
+  const closed = putPivot(putPivot(fourBar(), { joint: "A" }), { joint: "D" }), window = { link: "L3", when: "return", stroke: [0.2, 0.5] };
+  const { load: [load] } = problemOfState({ ...closed, loads: [{ on: "C", force: [1, 2], window }] });
+  assert.deepEqual(load, { on: ["C", "D"], at: [0, 0], force: [1, 2], when: "return", stroke: [0.2, 0.5] });
+  // The centre of mass of the coupler, from B towards C.
+  const { link: [link], drive } = problemOfState({ ...setInertia(setCentre(setMass(closed, "L2", 2), "L2", [20, 5]), "L2", 3e-4), speed: 7 });
+  assert.deepEqual([link.between, link.mass, link.inertia, drive], [["B", "C"], 2, 3e-4, { speed: 7 }]);
+  assert.ok(Math.abs(link.centre[0] - (20 * 30 + (5 - 10) * 10) / Math.hypot(30, 10)) < 1e-9 && Math.abs(link.centre[1] - (30 * -5 - 10 * 20) / Math.hypot(30, 10)) < 1e-9, `${link.centre}`);
 });

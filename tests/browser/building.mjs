@@ -96,6 +96,13 @@ export async function pinsAt(page, drive, names) {
   return names.map((name) => { const [, x, y] = pins.find(([pin]) => pin === name); return plane([x, y]); });
 }
 
+// Types another value into a field of the lists, and leaves it.
+export async function typedIn(page, cell, value) {
+  await page.locator("#forces").evaluate((one) => { one.open = true; });
+  await page.locator(`[data-cell="${cell}"]`).fill(value);
+  await page.keyboard.press("Enter");
+}
+
 // The limits of the drive.
 export const driveOf = (page) => page.locator("#drive").evaluate((slider) => [Number(slider.min), Number(slider.max)]);
 

@@ -1,6 +1,6 @@
 // What random hands do to the page of `cognate sketch --mechanism` in headless Chromium:
 //   BROWSER_PACKAGES=$PWD/build/release/tests/browser/npm node tests/stress/building_hands.mjs build/release/app/cognate [ACTIONS] [SEED]
-// Links, pivots, sliders, points, forces, drags, keys, fields, examples, undoing: none waits for the one before. Every hundred the page must say
+// Links, pivots, sliders, points, loads, drags, keys, fields, choices, examples, undoing: none waits for the one before. Every hundred the page must say
 // in a sentence how the mechanism moves or why it does not, what moves must hold together, and its address must open as the same mechanism; messages
 // of the console, and a page that does not answer, end the run with 1.
 import { gapOf } from "../browser/rigidity.mjs";
@@ -24,10 +24,12 @@ async function drawn(page, at, tool) {
 
 // Changes a random field beside the sheet as typing does.
 const typed = (page) => page.evaluate(([share, value]) => {
-  const fields = [...document.querySelectorAll("#lists input:not(:disabled)")], field = fields[Math.floor(share * fields.length)];
+  const fields = [...document.querySelectorAll("#lists :is(input, select):not(:disabled)")], field = fields[Math.floor(share * fields.length)];
   if (!field) return;
   if (["checkbox", "radio"].includes(field.type)) { field.click(); return; }
-  field.value = field.type === "text" ? value.toString(36).slice(2, 5) : (40 * value - 20).toFixed(1);
+  if (field.localName === "select") field.selectedIndex = Math.floor(value * field.options.length);
+  else if (value > 0.95) field.value = "";
+  else field.value = field.type === "text" ? value.toString(36).slice(2, 5) : (40 * value - 20).toFixed(1);
   field.dispatchEvent(new Event("change", { bubbles: true }));
 }, [random(), random()]);
 
@@ -53,7 +55,7 @@ const GAP = 0.5;   // pixels: between its samples a motion is interpolated
 let rested = 0, moving = 0;
 async function rests(page) {
   await page.keyboard.press("Escape");
-  await page.waitForFunction(() => document.getElementById("state").textContent !== "", null, { timeout: PATIENCE });
+  await page.waitForFunction(() => document.getElementById("state").textContent !== "" && document.getElementById("state").ariaBusy !== "true", null, { timeout: PATIENCE });
   rested += 1;
   if (await page.locator("#state.sound").count()) {
     moving += 1;
@@ -61,7 +63,7 @@ async function rests(page) {
     if (!(gap < GAP)) throw new Error(`a gap of ${gap} pixels on ${page.url()}`);
   }
   // The address opens as the same mechanism.
-  const rows = () => page.evaluate(() => [...document.querySelectorAll("#lists tbody tr")].map((row) => row.dataset.row).join());
+  const rows = () => page.evaluate(() => [...document.querySelectorAll("#lists tbody tr")].map((row) => [row.dataset.row, ...[...row.querySelectorAll("input, select")].map(({ value, checked }) => `${value} ${checked}`)].join()).sort().join(";"));
   const before = await rows();
   await page.reload();
   await page.locator(".build-tool").first().waitFor();

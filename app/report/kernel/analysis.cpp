@@ -51,18 +51,23 @@ ordered_json ranges_of(const AssemblyRanges& ranges, bool slides) {
   return all;
 }
 
-/// The motion alone, and what follows from it.
-ordered_json motion_of(const AnalysisProblem& problem) {
+/// The motion alone.
+ordered_json motion_of(const AnalysisProblem& problem, const AssemblyRanges& ranges) {
+  const auto& drive = problem.drive;
+  return {{"mechanism", app::mechanism_motion_json(problem.mechanism, {drive.start, drive.end},
+                                                   kDraggedSamples)},
+          {"ranges", ranges_of(ranges, problems::drive_slides(problem))}};
+}
+
+/// The motion, and what follows from it.
+ordered_json motion_with_facts(const AnalysisProblem& problem, const AssemblyRanges& ranges) {
   const problems::Deadline none{problems::Run{}};
-  const auto& [start, end, steps, rate] = problem.drive;
-  auto quantities = problems::type_quantities(problem.mechanism, start);
-  const auto ranges = problems::follow_until(problem, start, end, none);
+  auto quantities = problems::type_quantities(problem.mechanism, problem.drive.start);
   const auto of_motion = problems::quantities_of(problems::summarise(problem, ranges, none));
   quantities.insert(quantities.end(), of_motion.begin(), of_motion.end());
-  return {
-      {"mechanism", app::mechanism_motion_json(problem.mechanism, {start, end}, kDraggedSamples)},
-      {"facts", app::quantities_json(quantities)},
-      {"ranges", ranges_of(ranges, problems::drive_slides(problem))}};
+  auto data = motion_of(problem, ranges);
+  data["facts"] = app::quantities_json(quantities);
+  return data;
 }
 
 /// Everything: also the table, its extremes and the notes.
@@ -74,16 +79,28 @@ ordered_json whole_of(const AnalysisProblem& problem) {
   return data;
 }
 
+/// How much of an analysis a page asks for.
+enum Depth : int { motion_and_facts, everything, motion_alone };
+
+ordered_json answer_of(const AnalysisProblem& problem, int depth) {
+  if (depth == everything) return whole_of(problem);
+  const problems::Deadline none{problems::Run{}};
+  const auto& drive = problem.drive;
+  const auto ranges = problems::follow_until(problem, drive.start, drive.end, none);
+  return depth == motion_alone ? motion_of(problem, ranges) : motion_with_facts(problem, ranges);
+}
+
 }  // namespace
 
-/// Evaluates the problem in the text and the block of numbers: its motion alone, or all of it where
-/// `whole` is not 0. The answer is the data of the page, or `faults`, a list of sentences.
-COGNATE_EXPORT(analysis) int analyse_text(int whole) {
+/// Evaluates the problem in the text and the block of numbers to a depth: 0 its motion and what
+/// follows from it, 1 all of it, 2 its motion alone. The answer is the data of the page, or
+/// `faults`, a list of sentences.
+COGNATE_EXPORT(analysis) int analyse_text(int depth) {
   problems::reading::FaultList faults;
   const auto document = document_of(question());
   const auto problem = problem_of<AnalysisProblem>(document, faults);
   if (!faults.empty()) return answer_with(faults_json(std::move(faults)));
-  return answer_with(whole != 0 ? whole_of(problem) : motion_of(problem));
+  return answer_with(answer_of(problem, depth));
 }
 
 }  // namespace cognate::page

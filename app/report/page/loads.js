@@ -5,23 +5,8 @@ import { set, svg } from "./dom.js";
 import { number } from "./format.js";
 import { Mechanism } from "./mechanism.js";
 import { locate, quantile } from "./sampling.js";
-import { arrowPath, legendItem, round } from "./shapes.js";
+import { arcPath, arrowPath, legendItem, round } from "./shapes.js";
 import { say, term } from "./words.js";
-
-// Of the arc that stands for a torque: its radius in pixels, and the angles it takes.
-const ARC = { radius: 25, from: -60, to: 210 };
-
-// An arc about a place, with a head at the end to which a torque turns (counter-clockwise: above 0).
-function arcPath([x, y], torque) {
-  if (!torque) return "";
-  const at = (deg) => [x + ARC.radius * Math.cos((deg * Math.PI) / 180), y - ARC.radius * Math.sin((deg * Math.PI) / 180)];
-  const [from, to] = torque > 0 ? [ARC.from, ARC.to] : [ARC.to, ARC.from];
-  const [p, q] = [at(from), at(to)];
-  const along = ((to + (torque > 0 ? 90 : -90)) * Math.PI) / 180;
-  const wing = (turn) => [q[0] - 8 * Math.cos(along + turn), q[1] + 8 * Math.sin(along + turn)];
-  const text = (point) => point.map(round).join(" ");
-  return `M${text(p)}A${ARC.radius} ${ARC.radius} 0 1 ${torque > 0 ? 0 : 1} ${text(q)}M${text(wing(0.4))}L${text(q)}L${text(wing(-0.4))}`;
-}
 
 // A force that nearly fills the part of the picture that arrows take.
 const usualForce = (scene) => quantile([...scene.table.loads.filter((load) => load.force).map(({ force }) => Math.hypot(...force)),

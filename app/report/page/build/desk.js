@@ -3,7 +3,7 @@
 import { History } from "../edit/history.js";
 import { mergeJoints, moveJoint, moveLink, placeOfSpot, removeJoint, removeLink, removeLoad, setLoad } from "./edits.js";
 import { FORCE_SCALE, spotAt } from "./hits.js";
-import { isSound, jointOf, linkOf } from "./model.js";
+import { isSound, jointOf, linkOf, loadOf } from "./model.js";
 import { TOOLS } from "./tools.js";
 
 export class Desk {
@@ -44,8 +44,8 @@ export class Desk {
 
   isThere(one) {
     if (!one) return false;
-    return one.link !== undefined ? linkOf(this.state, one.link) !== undefined : jointOf(this.state, one.joint ?? one.load) !== undefined
-      && (one.load === undefined || this.state.loads.some(({ on }) => on === one.load));
+    const [list, name] = one.link !== undefined ? [linkOf, one.link] : one.joint !== undefined ? [jointOf, one.joint] : [loadOf, one.load];
+    return list(this.state, name) !== undefined;
   }
 
   press(place, reach) {
@@ -61,12 +61,12 @@ export class Desk {
     else if (TOOLS[this.tool].drag) this.page.preview(this.#placeOf(this.from), this.page.spot(place, reach));
   }
 
-  #placeOf(spot) { return spot.joint !== undefined || spot.at ? placeOfSpot(this.state, spot) : jointOf(this.state, spot.load)?.at ?? this.began; }
+  #placeOf(spot) { return spot.joint !== undefined || spot.at ? placeOfSpot(this.state, spot) : jointOf(this.state, loadOf(this.state, spot.load)?.on)?.at ?? this.began; }
 
   #carry(place, pixels) {
     const { joint, link, load } = this.from, now = this.steps.present;
     if (joint !== undefined) this.state = moveJoint(now, joint, this.page.snap(place));
-    else if (load !== undefined) this.state = setLoad(now, load, this.page.snap(place).map((x, k) => Math.round(FORCE_SCALE * (x - jointOf(now, load).at[k])))) ?? now;
+    else if (load !== undefined) this.state = setLoad(now, load, this.page.snap(place).map((x, k) => Math.round(FORCE_SCALE * (x - jointOf(now, loadOf(now, load).on).at[k])))) ?? now;
     else if (link !== undefined) this.state = moveLink(now, link, this.page.snap(place.map((x, k) => x - this.began[k])));
     else { this.page.pan(pixels); return; }
     this.page.show();
@@ -115,6 +115,13 @@ export class Desk {
   // A cross or a pointer that is only moved.
   hover(place, reach) { if (this.pending) this.page.preview(this.#placeOf(this.pending), this.page.spot(place, reach)); }
 
+  // Ends the drag that has begun, as if it had not.
+  abandon() {
+    Object.assign(this, { from: null, state: this.steps.present });
+    this.page.preview(this.pending && this.#placeOf(this.pending), this.pending ?? undefined);
+    this.page.settle();
+  }
+
   // Ends what has begun, or selects nothing; false where there was neither.
   cancel() {
     const isBusy = Boolean(this.pending || this.from || this.chosen);
@@ -135,7 +142,7 @@ export class Desk {
     const { joint, link, load } = this.chosen, { state } = this, plus = (place, scale = 1) => place.map((x, k) => Number((x + scale * way[k]).toPrecision(9)));
     if (joint !== undefined) this.change(moveJoint(state, joint, plus(jointOf(state, joint).at)));
     else if (link !== undefined) this.change(moveLink(state, link, way));
-    else this.change(setLoad(state, load, plus(state.loads.find(({ on }) => on === load).force, FORCE_SCALE)));
+    else if (loadOf(state, load).force) this.change(setLoad(state, load, plus(loadOf(state, load).force, FORCE_SCALE)));
   }
 
   remove(one = this.chosen) {

@@ -2,7 +2,7 @@
 // at: { joint }, { slider } or { load } by name, { link, at } on the body of a link, or { at }, a free place of the sheet.
 
 import { RADIANS } from "../sampling.js";
-import { canDrive, directionOf, FRAME, freshName, isBlock, isFixed, isFree, isSound, jointOf, jointsOn, MOST, pinOf, slidersOn } from "./model.js";
+import { canDrive, directionOf, FRAME, freshName, GRAVITY, isBlock, isFixed, isFree, isSound, jointOf, jointsOn, linkOf, linksOfLoad, loadNames, loadOf, MOST, pinOf, slidersOn } from "./model.js";
 
 const within = (state) => (Object.entries(MOST).every(([key, most]) => state[key].length <= most) ? state : null);
 const withJoint = (state, name, change) => ({ ...state, joints: state.joints.map((joint) => (joint.name === name ? { ...joint, ...change(joint) } : joint)) });
@@ -34,6 +34,14 @@ export function addLink(state, from, to) {
   return within(landed(first, to, name).state);
 }
 
+const always = ({ on, force, torque }) => (force ? { on, force } : { on, torque });
+
+// Of loads those on what a state has, but not at its fixed pivots; windows end with the links that they follow.
+function loadsLeft(state, loads) {
+  const left = loads.filter(({ on, force }) => (force ? state.joints.some((joint) => joint.name === on && !isFixed(joint)) : linkOf(state, on) !== undefined));
+  return left.map((load) => (load.window && !linksOfLoad(state, load).includes(load.window.link) ? always(load) : load));
+}
+
 // What is left when names are gone: joints have links or are fixed, links have two joints or more, sliders what they slide on.
 function tidied(state) {
   const links = state.links.filter(({ name }) => jointsOn(state, name).length + slidersOn(state, name).length > 1);
@@ -41,7 +49,8 @@ function tidied(state) {
   const joints = state.joints.map((joint) => (joint.of.every(isBody) ? joint : { ...joint, of: joint.of.filter(isBody) })).filter(({ of }) => of.length);
   const sliders = state.sliders.filter(({ block, on }) => isBody(block) && isBody(on) && joints.some(({ of }) => of.includes(block)));
   const next = { ...state, links, joints, sliders: sliders.map((slider) => guided(state, joints, slider)), driven: isBody(state.driven) && state.driven !== FRAME ? state.driven : null,
-    loads: state.loads.filter(({ on }) => joints.some(({ name }) => name === on)) };
+    loads: [] };
+  next.loads = loadsLeft(next, state.loads);
   const isSame = ["links", "joints", "sliders"].every((key) => next[key].length === state[key].length);
   return isSame ? next : tidied(next);
 }
@@ -59,7 +68,7 @@ const withKeptDirections = (state, goes) => ({ ...state, sliders: state.sliders.
 export const removeJoint = (state, name) => tidied({ ...withKeptDirections(state, (one) => one === name), joints: state.joints.filter((joint) => joint.name !== name) });
 export const removeLink = (state, name) => tidied({ ...state, links: state.links.filter((link) => link.name !== name) });
 export const removeSlider = (state, name) => tidied({ ...state, sliders: state.sliders.filter((slider) => slider.name !== name) });
-export const removeLoad = (state, on) => ({ ...state, loads: state.loads.filter((load) => load.on !== on) });
+export const removeLoad = (state, name) => ({ ...state, loads: state.loads.filter((load) => load !== loadOf(state, name)) });
 
 // Fixes a pin to the frame or frees it; elsewhere puts a fixed pivot.
 export function putPivot(state, spot) {
@@ -123,20 +132,37 @@ function aligned(state, slider) {
 
 export const addPoint = (state, link, at) => within(withPin(state, at, [link]).state);
 export const setDriven = (state, link) => (canDrive(state, link) ? { ...state, driven: link } : null);
-export const setMass = (state, name, mass) => (mass >= 0 && Number.isFinite(mass) ? { ...state, links: state.links.map((link) => (link.name === name ? { ...link, mass } : link)) } : null);
+const changedLink = (state, name, change) => ({ ...state, links: state.links.map((link) => (link.name === name ? { ...link, ...change } : link)) });
+export const setMass = (state, name, mass) => (mass >= 0 && Number.isFinite(mass) ? changedLink(state, name, { mass }) : null);
+// Null: as of mass that is spread evenly.
+export const setCentre = (state, name, centre) => changedLink(state, name, { centre });
+export const setInertia = (state, name, inertia) => (inertia === null || inertia >= 0 ? changedLink(state, name, { inertia }) : null);
 export const setDegrees = (state, name, degrees) => ({ ...state, sliders: state.sliders.map((slider) => (slider.name === name ? { ...slider, degrees, along: null } : slider)) });
-export const setWeighs = (state, weighs) => ({ ...state, weighs });
+export const setWeighs = (state, weighs) => ({ ...state, gravity: weighs ? state.gravity ?? GRAVITY : null });
+export const setRate = (state, rate) => ({ ...state, ...rate });
 
-// A force at a joint in place of the one before; none of no size.
-export function setLoad(state, on, force) {
-  const others = state.loads.filter((load) => load.on !== on);
-  return within({ ...state, loads: force.some((x) => x !== 0) ? [...others, { on, force }] : others });
+// Another value of a load, or a new one on what has none; null: none.
+function withLoad(state, name, value) {
+  const own = loadOf(state, name);
+  if (!value) return removeLoad(state, name);
+  return within({ ...state, loads: own ? state.loads.map((load) => (load === own ? { ...load, ...value } : load)) : [...state.loads, { on: name, ...value }] });
 }
+
+// A force of the name, or at the joint of the name; a torque on a link. None of no size.
+export const setLoad = (state, name, force) => (isFixed(jointOf(state, loadOf(state, name)?.on ?? name)) ? null : withLoad(state, name, force.some((x) => x !== 0) ? { force } : null));
+export const setTorque = (state, name, torque) => withLoad(state, name, torque === 0 ? null : { torque });
+
+// When a load acts; null: always.
+export const setWindow = (state, name, window) => ({ ...state, loads: state.loads.map((load, i) => (loadNames(state)[i] !== name ? load : window ? { ...load, window } : always(load))) });
 
 export const moveJoint = (state, name, at) => withJoint(state, name, () => ({ at }));
 
-// All joints of a link by the same way.
-export const moveLink = (state, link, way) => ({ ...state, joints: state.joints.map((joint) => (joint.of.includes(link) ? { ...joint, at: joint.at.map((x, k) => x + way[k]) } : joint)) });
+// All joints of a link by the same way, and its centre of mass.
+export function moveLink(state, link, way) {
+  const by = (place) => place.map((x, k) => x + way[k]), moved = { ...state, joints: state.joints.map((joint) => (joint.of.includes(link) ? { ...joint, at: by(joint.at) } : joint)) };
+  const { centre } = linkOf(state, link);
+  return centre ? setCentre(moved, link, by(centre)) : moved;
+}
 
 // Two pins become one; not those of one link.
 export function mergeJoints(state, name, into) {
@@ -145,7 +171,8 @@ export function mergeJoints(state, name, into) {
   const merged = withJoint(state, into, ({ of }) => ({ of: [...new Set([...of, ...gone.of])] }));
   const renamed = (one) => (one === name ? into : one);
   const next = { ...merged, joints: merged.joints.filter((joint) => joint.name !== name), sliders: merged.sliders.map((slider) => (slider.along ? { ...slider, along: slider.along.map(renamed) } : slider)),
-    loads: merged.loads.filter(({ on }) => on !== name) };
+    loads: [] };
+  next.loads = loadsLeft(next, state.loads);
   return isSound(next) ? next : null;
 }
 
@@ -156,5 +183,5 @@ export function rename(state, old, name) {
   const named = (list) => list.map((one) => ({ ...one, name: to(one.name) }));
   return { ...state, joints: named(state.joints).map((joint) => ({ ...joint, of: joint.of.map(to) })), links: named(state.links), driven: to(state.driven),
     sliders: named(state.sliders).map((slider) => ({ ...slider, block: to(slider.block), on: to(slider.on), along: slider.along?.map(to) ?? null })),
-    loads: state.loads.map((load) => ({ ...load, on: to(load.on) })) };
+    loads: state.loads.map((load) => ({ ...load, on: to(load.on), ...(load.window ? { window: { ...load.window, link: to(load.window.link) } } : {}) })) };
 }

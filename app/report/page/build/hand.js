@@ -11,9 +11,10 @@ const REACH = { mouse: 11, pen: 13, touch: 20 };   // pixels
 
 export class Hand {
   // `on`, of places in the plane and a reach there: press, move(place, reach, pixels since the last), lift(place, reach, moved), hover(place,
-  // reach, by keys), put(place, reach) by keys, cancel(), leave(), carry(event) of a key, whether it has used it; of joints by name: key(name, event), whether it has used the key, and focus(name). `view()` is that of the picture.
+  // reach, by keys), put(place, reach) by keys, cancel(), abandon() of what a finger began before a
+  // second one came, pinch(factor, at, way) of the two in pixels of the picture, leave(), carry(event) of a key, whether it has used it; of joints by name: key(name, event), whether it has used the key, and focus(name). `view()` is that of the picture.
   constructor(frame, view, on) {
-    Object.assign(this, { view, on, handles: [], names: [], pointer: null });
+    Object.assign(this, { view, on, handles: [], names: [], pointer: null, fingers: new Map(), isPinched: false });
     this.area = svg("rect", { class: "draw-handle", width: "100%", height: "100%", tabindex: 0, role: "button", id: "sheet", "aria-label": say("build.sheet") });
     this.area.addEventListener("keydown", (event) => this.#carry(event));
     this.area.addEventListener("blur", () => on.leave());
@@ -26,7 +27,7 @@ export class Hand {
     this.area.addEventListener("pointerdown", (event) => this.#press(event));
     this.area.addEventListener("pointermove", (event) => this.#move(event));
     this.area.addEventListener("pointerup", (event) => this.#lift(event));
-    this.area.addEventListener("pointercancel", () => { this.pointer = null; on.cancel(); });
+    this.area.addEventListener("pointercancel", (event) => { this.pointer = null; this.#raise(event); on.cancel(); });
   }
 
   #pixels(event) {
@@ -37,12 +38,35 @@ export class Hand {
   #reach(pointer) { return (REACH[pointer] ?? REACH.mouse) / this.view().scale; }
 
   #press(event) {
-    if (event.button !== 0 || this.pointer !== null) return;
+    if (event.button !== 0) return;
+    if (event.pointerType === "touch") this.fingers.set(event.pointerId, this.#pixels(event));
+    if (this.fingers.size > 1) this.#beginPinch();
+    if (this.pointer !== null || this.isPinched) return;
     this.area.setPointerCapture(event.pointerId);
     this.area.focus({ preventScroll: true });
     this.cross.hide();
     Object.assign(this, { pointer: event.pointerId, start: this.#pixels(event), last: this.#pixels(event), moved: false });
     this.on.press(this.view().plane(this.start), this.#reach(event.pointerType));
+  }
+
+  // A second finger moves the view instead of what the first one began.
+  #beginPinch() {
+    if (this.pointer !== null) this.on.abandon();
+    Object.assign(this, { pointer: null, isPinched: true });
+  }
+
+  // Until all fingers are raised.
+  #raise({ pointerId }) {
+    this.fingers.delete(pointerId);
+    if (this.fingers.size === 0) this.isPinched = false;
+  }
+
+  #pinch({ pointerId }, now) {
+    const before = this.fingers.get(pointerId), other = [...this.fingers].find(([id]) => id !== pointerId)?.[1];
+    this.fingers.set(pointerId, now);
+    if (!other) return;
+    const apart = (p) => Math.max(8, Math.hypot(p[0] - other[0], p[1] - other[1]));
+    this.on.pinch(apart(now) / apart(before), now.map((x, k) => (x + other[k]) / 2), now.map((x, k) => (x - before[k]) / 2));
   }
 
   // Unless the cross is out, arrows move what is selected.
@@ -54,6 +78,8 @@ export class Hand {
 
   #move(event) {
     const at = this.#pixels(event), reach = this.#reach(event.pointerType);
+    if (this.isPinched) { if (this.fingers.has(event.pointerId)) this.#pinch(event, at); return; }
+    if (this.fingers.has(event.pointerId)) this.fingers.set(event.pointerId, at);
     if (this.pointer === null) { this.on.hover(this.view().plane(at), reach); return; }
     if (event.pointerId !== this.pointer) return;
     this.moved ||= Math.hypot(at[0] - this.start[0], at[1] - this.start[1]) > STILL_PIXELS;
@@ -62,6 +88,7 @@ export class Hand {
   }
 
   #lift(event) {
+    this.#raise(event);
     if (event.pointerId !== this.pointer) return;
     this.pointer = null;
     this.on.lift(this.view().plane(this.#pixels(event)), this.#reach(event.pointerType), this.moved);

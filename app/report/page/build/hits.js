@@ -1,7 +1,7 @@
 // What stands at a place of the sheet.
 
 import { distanceToSegment } from "./edits.js";
-import { directionOf, isBlock, jointOf, jointsOn, pinOf } from "./model.js";
+import { directionOf, isBlock, jointOf, jointsOn, loadNames, pinOf } from "./model.js";
 import { RADIANS } from "../sampling.js";
 
 export const FORCE_SCALE = 10;       // newtons for a unit of the sheet
@@ -52,8 +52,8 @@ export function spotAt(state, place, reach) {
   const away = (p) => Math.hypot(p[0] - place[0], p[1] - place[1]);
   const joint = nearest(state.joints, reach, ({ at }) => away(at));
   if (joint) return { joint: joint.name };
-  const load = nearest(state.loads, reach, (one) => away(tipOf(state, one)));
-  if (load) return { load: load.on };
+  const load = nearest(state.loads.filter(({ force }) => force), reach, (one) => away(tipOf(state, one)));
+  if (load) return { load: loadNames(state)[state.loads.indexOf(load)] };
   const link = nearest(state.links.filter(({ name }) => !isBlock(state, name)), BODY * reach, ({ name }) => distanceToBody(outlineOf(state, name), place));
   if (link) return { link: link.name, at: footOnBody(outlineOf(state, link.name), place) };
   const slider = nearest(state.sliders, BODY * reach, (one) => distanceToSegment(place, ...guideOf(state, one, GUIDE * reach)));

@@ -3,10 +3,10 @@
 import { svg } from "../dom.js";
 import { barPath, blockPath, pathThrough, round } from "../shapes.js";
 import { hullOf } from "./hits.js";
-import { directionOf, jointsOn, pinOf } from "./model.js";
+import { directionOf, jointsOn, linkOf, pinOf } from "./model.js";
 
 export const RIDER = { length: 28, height: 16 };   // of a slider's block, in pixels
-const BAR_WIDTH = 6;
+const BAR_WIDTH = 6, CENTRE_RADIUS = 5;
 
 // A link in pixels about its first joint, the `origin`, where a unit of the plane has `scale`; railOf(slider) gives the ends of a block's way.
 export function linkShape(state, name, scale, railOf) {
@@ -15,7 +15,15 @@ export function linkShape(state, name, scale, railOf) {
   const own = state.sliders.find(({ block }) => block === name);
   const body = plateParts(hullOf(jointsOn(state, name).map(({ at }) => at)).map(local)), rider = own ? [riderPart(directionOf(state, own))] : [];
   const slots = state.sliders.filter(({ on }) => on === name).flatMap((slider) => slotParts(railOf(slider).map(local)));
-  return { origin, parts: [...body, ...rider, ...slots], isRider: Boolean(own) };
+  const { centre } = linkOf(state, name);
+  return { origin, parts: [...body, ...rider, ...slots, ...(centre ? [centreSign(local(centre))] : [])], isRider: Boolean(own) };
+}
+
+// The sign of a centre of mass: a circle in quarters.
+function centreSign([x, y]) {
+  const [left, right, top, bottom] = [x - CENTRE_RADIUS, x + CENTRE_RADIUS, y - CENTRE_RADIUS, y + CENTRE_RADIUS].map(round), arc = `A${CENTRE_RADIUS} ${CENTRE_RADIUS} 0 0 1`;
+  return svg("g", { class: "mass-centre" }, svg("circle", { cx: round(x), cy: round(y), r: CENTRE_RADIUS }),
+    svg("path", { d: `M${round(x)} ${top}${arc} ${right} ${round(y)}H${left}${`A${CENTRE_RADIUS} ${CENTRE_RADIUS} 0 0 0`} ${round(x)} ${bottom}Z` }));
 }
 
 const riderPart = (degrees) => svg("path", { class: "block", d: blockPath(RIDER.length, RIDER.height), transform: `rotate(${round(-degrees)})` });

@@ -26,6 +26,7 @@ import { BuildScene } from "./scene.js";
 import { seenSpot, snapTo, stepIn } from "./seen.js";
 import { Stage } from "./stage.js";
 import { Toolbar } from "./toolbar.js";
+import { WholeAnalysis } from "./whole_analysis.js";
 
 // What the kernel says of the state that was analysed last, {motion, range} or {faults}; what was refused last, and the address as the
 // page knows it.
@@ -36,12 +37,12 @@ const scene = new BuildScene(byId("picture"), say("build.picture"));
 const stage = new Stage(scene, { moved: () => hand.show(desk.state.joints.map(({ name, at }) => ({ name, at: scene.at.get(name) ?? at }))), reached: (drive) => results.move(drive) });
 const desk = new Desk(opened ?? given?.state ?? EMPTY, { spot: (place, reach) => seenSpot(scene, desk.state, place, reach), snap: (place) => snapTo(place, scene.view), hold: () => stage.hold(), show: follow, settle,
   preview: (from, to) => hand.preview(from, to, (spot) => scene.at.get(spot.joint)), pan: ([x, y]) => zoom.pan(x, y), refuse: (why) => { refused = say(`build.refused_${why}`); } });
-const hand = new Hand(byId("picture"), () => scene.view, { press: (...at) => desk.press(...at), move: (...at) => desk.move(...at), lift: (...at) => desk.lift(...at), put: (...at) => desk.click(...at), hover, cancel: () => desk.cancel(),
+const hand = new Hand(byId("picture"), () => scene.view, { press: (...at) => desk.press(...at), move: (...at) => desk.move(...at), lift: (...at) => desk.lift(...at), put: (...at) => desk.click(...at), hover, cancel: () => desk.cancel(), abandon: () => desk.abandon(), pinch,
   leave, carry: carryByKey, key: answerKey, focus: (name) => { if (desk.chosen?.joint !== name) desk.select({ joint: name }); } });
 const toolbar = new Toolbar(chooseTool);
 listenToKeys();
 const zoom = new Zoom(byId("stage"), byId("picture"), () => scene, () => stage.draw(), false);
-const lists = new Lists({ state: () => desk.state, change: (next) => desk.change(next, desk.chosen, "field"), chosen: () => desk.chosen, select: (one) => desk.select(one) });
+const lists = new Lists({ state: () => desk.state, change: (next, why = "field") => desk.change(next, desk.chosen, why), chosen: () => desk.chosen, select: (one) => desk.select(one) });
 const results = new Results({ goTo: (to) => stage.goTo(to, true), tintOf: (link) => scene.tintOf(link) });
 const taken = new TakenText(byId("takings"), [["build.copy_problem", toml, null], ["build.save_problem", toml, "mechanism"], ["sketch.copy_link", () => location.href, null]], say("sketch.file"));
 
@@ -64,8 +65,10 @@ function toml() { return problemToml({ title: say("build.title_of_file"), ...pro
 // What a hand still changes: the curves follow, the rest once it stays.
 function follow() {
   answer = analyst?.quick(desk.state) ?? {};
+  analyst?.cancel();
   analysed = null;
   stage.take(desk, answer.motion);
+  results.wait();
   showText();
 }
 
@@ -74,17 +77,27 @@ function settle() {
   stage.isHeld = desk.pending !== null;
   if (isOther) {
     analysed = state;
-    answer = analyst?.whole(state) ?? {};
+    answer = analyst?.settled(state, (whole) => complete(state, whole)) ?? {};
     if (answer.motion) stage.begin(answer.motion);
   }
   stage.take(desk, answer.motion);
-  if (isOther) showAnalysed(state); else if (refused) lists.show(state); else lists.mark();
+  if (isOther) showSettled(state); else if (refused) lists.show(state); else lists.mark();
   showText();
 }
 
-function showAnalysed(state) {
+// All that the kernel says of a state has come; what was said of the one before is dimmed until then.
+function complete(state, whole) {
+  answer = whole;
+  if (whole.motion) stage.refine(desk, whole.motion); else stage.take(desk, null);
+  results.show(whole.motion ?? null, state);
+  results.move(stage.drive);
+  for (const id of ["play", "drive"]) byId(id).disabled = !whole.motion;
+  showText();
+}
+
+function showSettled(state) {
   lists.show(state);
-  results.show(answer.motion ?? null, state);
+  if (answer.isPending) results.wait(); else results.show(null, state);
   if (answer.motion && scene.include(scene.reached)) stage.draw();
   stage.goTo(stage.drive);
   const isEmpty = state.joints.length === 0;
@@ -99,7 +112,7 @@ function showAnalysed(state) {
 
 function showText() {
   const text = refused || stateText(desk.state, answer);
-  set(byId("state"), { class: refused || answer.faults ? "wrong" : answer.motion ? "sound" : "" });
+  set(byId("state"), { class: refused || answer.faults ? "wrong" : answer.motion && !answer.isPending ? "sound" : "", "aria-busy": String(Boolean(answer.isPending)) });
   byId("state").textContent = text;
   refused = "";
 }
@@ -129,6 +142,11 @@ function hover(place, reach, byKeys) {
 function chooseTool(tool) {
   toolbar.show(tool);
   desk.choose(tool);
+}
+
+function pinch(factor, at, way) {
+  zoom.pan(...way);
+  zoom.by(factor, at);
 }
 
 function leave() { if (!desk.pending && !desk.from) stage.release(); }
@@ -198,7 +216,7 @@ begin();
 stage.controls.start();
 if (Kernel.available) {
   AnalysisKernel.load().then((kernel) => {
-    analyst = new Analyst(kernel);
+    analyst = new Analyst(kernel, new WholeAnalysis());
     analysed = null;
     begin();
     scene.look();

@@ -6,7 +6,7 @@ import { boxOf, diagonal } from "../view.js";
 import { say } from "../words.js";
 import { problemOfState } from "./chain.js";
 import { lackOf } from "./lacks.js";
-import { driverOf, FRAME } from "./model.js";
+import { drivesBySlide } from "./model.js";
 
 const FULL = 360, NEAR = 1e-6;
 const FARTHEST = 4;     // sizes of the mechanism to either side that the range of a driving slider is looked for
@@ -19,9 +19,6 @@ function placesAt({ bodies }, k) {
   const value = (track) => (Array.isArray(track) ? track[k] : track);
   return new Map(bodies.map(({ name, x, y, deg }) => [name, [x, y, deg].map(value)]));
 }
-
-// Whether a slider drives: its coordinate is 0 in the position drawn, an angle that of the drawing.
-const isSlid = (state) => state.sliders.some(({ block, on }) => on === FRAME && block === driverOf(state));
 
 // A mechanism in motion whose bodies are known by their names in the state.
 class BuiltMotion {
@@ -51,45 +48,50 @@ export const after = ([x, y, c, s], [u, v]) => [x + c * u - s * v, y + s * u + c
 export const before = ([x, y, c, s], [u, v]) => [c * (u - x) + s * (v - y), c * (v - y) - s * (u - x)];
 
 export class Analyst {
-  constructor(kernel) { this.kernel = kernel; }
+  // `whole`: the WholeAnalysis that answers in its own time.
+  constructor(kernel, whole) { Object.assign(this, { kernel, whole }); }
 
   // The motion alone, as it follows a hand; {faults} where there is none, nothing where something is missing.
   quick(state) {
     const { data, slides, drawn } = this.#sweep(state);
     if (!data || data.faults) return data ?? {};
-    const { mechanism: motion } = data;
-    return { motion: new BuiltMotion(data, placesAt(motion, drawn), { start: motion.drive[drawn], round: !slides && isRound(motion), isTurning: !slides }) };
+    return { motion: motionOf(data, placesAt(data.mechanism, drawn), data.mechanism.drive[drawn], slides) };
   }
 
-  // Everything, over the whole turn or over the range about the position drawn in which it can be assembled.
-  whole(state) {
+  // The motion over the whole turn or over the range about the position drawn in which it can be assembled: at once. All that follows from it comes
+  // later, by onWhole({motion, range} or {faults}), unless something else is asked before.
+  settled(state, onWhole) {
+    this.whole.cancel();
     const { data, slides, drawn } = this.#sweep(state);
     if (!data || data.faults) return data ?? {};
-    const range = rangeAbout(data, slides, drawn);
-    const all = this.#ask(() => this.kernel.whole(problemOfState(state, range)));
-    if (all.faults) return all;
-    return { motion: new BuiltMotion(all, placesAt(data.mechanism, drawn), { start: data.mechanism.drive[drawn], round: all.drive.round, isTurning: !slides }), range };
+    const range = rangeAbout(data, slides, drawn), places = placesAt(data.mechanism, drawn), start = data.mechanism.drive[drawn];
+    const own = range ? this.#motion(state, range) : data;
+    if (own.faults) return own;
+    this.whole.ask(problemOfState(state, range), (all) => onWhole(all.faults ? all : { motion: motionOf(all, places, start, slides, all.drive.round), range }));
+    return { motion: motionOf(own, places, start, slides, !range && !slides && isRound(own.mechanism)), range, isPending: true };
   }
+
+  cancel() { this.whole.cancel(); }
 
   // The motion over a turn from the position drawn, or about it; `drawn` is the number of the sample at which it is drawn.
   #sweep(state) {
     if (lackOf(state)) return {};
-    const slides = isSlid(state), data = this.#motion(state, slides ? wayOf(state) : null);
+    const slides = drivesBySlide(state), data = this.#motion(state, slides ? wayOf(state) : null);
     return { data, slides, drawn: slides && !data.faults ? nearestToZero(data.mechanism.drive) : 0 };
   }
 
-  #motion(state, range) { return this.#ask(() => this.kernel.motion(problemOfState(state, range))); }
-
   // The kernel's answer; where it fails the next question goes to a fresh one.
-  #ask(question) {
+  #motion(state, range) {
     try {
-      return question();
+      return this.kernel.bareMotion(problemOfState(state, range));
     } catch {
       AnalysisKernel.load().then((kernel) => { this.kernel = kernel; });
       return { faults: [say("edit.failed")] };
     }
   }
 }
+
+const motionOf = (data, drawn, start, slides, round = !slides && isRound(data.mechanism)) => new BuiltMotion(data, drawn, { start, round, isTurning: !slides });
 
 function wayOf({ joints }) {
   const far = FARTHEST * Math.max(diagonal(boxOf(joints.map(({ at }) => at))), NEAR);

@@ -13,12 +13,26 @@ export class Results {
   constructor({ goTo, tintOf }) {
     Object.assign(this, { tintOf, part: null, motion: null });
     this.curves = new Curves(byId("plots"), goTo);
-    byId("curve-part").addEventListener("change", (event) => { this.part = event.target.value; this.#draw(); });
+    byId("curve-part").addEventListener("change", (event) => { this.part = event.target.value; if (this.motion) this.#draw(); });
+  }
+
+  // What is shown is of a state before.
+  wait() {
+    this.motion = null;
+    this.#dim(true);
+  }
+
+  #dim(waits) {
+    for (const id of ["facts", "curves"]) {
+      byId(id).classList.toggle("waits", waits);
+      byId(id).setAttribute("aria-busy", String(waits));
+    }
   }
 
   // Of a whole motion; null: of none.
   show(motion, state) {
     this.motion = motion;
+    this.#dim(false);
     for (const id of ["facts", "curves"]) byId(id).hidden = !motion;
     if (!motion) return;
     const { data: { facts, drive, table, vectors, normals, loads, landmarks }, mechanism } = motion;

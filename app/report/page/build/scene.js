@@ -4,12 +4,13 @@ import { set, svg } from "../dom.js";
 import { number } from "../format.js";
 import { Picture } from "../picture.js";
 import { RADIANS } from "../sampling.js";
-import { arrowPath, groundSign, guideSign, pathWithGaps, round } from "../shapes.js";
+import { arcPath, arrowPath, groundSign, guideSign, pathWithGaps, round } from "../shapes.js";
 import { boxOf, diagonal, View } from "../view.js";
 import { say } from "../words.js";
+import { spreadOf } from "./chain.js";
 import { FORCE_SCALE } from "./hits.js";
 import { linkShape, RIDER } from "./link_shapes.js";
-import { directionOf, driverOf, FRAME, isBlock, isFixed, jointsOn, pinOf } from "./model.js";
+import { directionOf, driverOf, FRAME, isBlock, isFixed, jointsOn, loadNames, pinOf } from "./model.js";
 import { after, before } from "./motion.js";
 import { BUILD_SHEET } from "./sheet.js";
 
@@ -19,6 +20,7 @@ const STILL_MOVE = [0, 0, 1, 0];
 const FAR_AWAY = 3;   // sizes of the mechanism
 const RAIL_MOST = 2;  // widths of the picture
 const SMALL = 0.3, LARGE = 1.2;   // of the width of the sheet
+const BESIDE_ARC = [0, -34];   // pixels
 const NAME_AWAY = 18, BESIDE_GROUND = [22, 7], BEYOND_TIP = [30, 14];   // pixels
 
 export class BuildScene extends Picture {
@@ -160,11 +162,13 @@ export class BuildScene extends Picture {
   }
 
   #loads() {
-    this.loads = this.state.loads.map(({ on, force }) => {
+    const names = loadNames(this.state);
+    this.loads = this.state.loads.map(({ on, force, torque }, i) => {
       const lines = [svg("path", { class: "halo" }), svg("path", {})];
-      const text = svg("text", { class: "joint-name" }, say("build.newtons", { value: number(Math.hypot(...force), 4) }));
-      this.layers.loads.append(svg("g", { class: `arrow load${this.chosen?.load === on ? " chosen" : ""}`, "data-load": on }, ...lines), text);
-      return { on, way: [force[0], -force[1]].map((x) => (x / FORCE_SCALE) * this.view.scale), lines, text };
+      const text = svg("text", { class: "joint-name" }, force ? say("build.newtons", { value: number(Math.hypot(...force), 4) }) : say("build.newton_metres", { value: number(torque, 4) }));
+      this.layers.loads.append(svg("g", { class: `arrow load${this.chosen?.load === names[i] ? " chosen" : ""}`, "data-load": names[i] }, ...lines), text);
+      const middle = force ? null : spreadOf(this.state, on)?.centre ?? null;
+      return { on, torque, middle, way: force && [force[0], -force[1]].map((x) => (x / FORCE_SCALE) * this.view.scale), lines, text };
     });
   }
 
@@ -182,7 +186,7 @@ export class BuildScene extends Picture {
     }
     this.at = new Map(this.state.joints.map((joint) => [joint.name, this.#placeOf(joint, moveOf)]));
     for (const pin of this.pins) this.#movePin(pin);
-    for (const load of this.loads) this.#moveLoad(load);
+    for (const load of this.loads) if (load.way) this.#moveLoad(load); else this.#moveTorque(load, moveOf(load.on));
   }
 
   #placeOf(joint, moveOf) {
@@ -198,6 +202,13 @@ export class BuildScene extends Picture {
     const [x, y] = this.view.screen(place);
     set(part, { cx: round(x), cy: round(y) });
     set(name, { x: round(x + away[0]), y: round(y + away[1]) });
+  }
+
+  #moveTorque({ torque, middle, lines, text }, move) {
+    const p = move && middle && this.view.screen(after(move, middle));
+    for (const line of lines) set(line, { d: p ? arcPath(p, torque) : "" });
+    text.toggleAttribute("hidden", !p);
+    if (p) set(text, { x: round(p[0] + BESIDE_ARC[0]), y: round(p[1] + BESIDE_ARC[1]) });
   }
 
   #moveLoad({ on, way, lines, text }) {

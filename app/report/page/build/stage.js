@@ -23,6 +23,13 @@ export class Stage {
     this.controls.player.pace = isTurning ? PACE : (to - from) / ALONG;
   }
 
+  // The same motion, known better.
+  refine(desk, motion) {
+    const { drive, isHeld } = this;
+    this.take(desk, motion);
+    if (!isHeld) this.goTo(drive);
+  }
+
   // A state with what is chosen of it, and its motion, if any.
   take({ state, chosen }, motion) {
     this.motion = motion ?? null;

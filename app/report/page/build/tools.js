@@ -1,8 +1,8 @@
 // What a hand does with each tool, from spot to spot of a mechanism.
 
-import { addLink, addPoint, addSlider, placeOfSpot, putPivot, removeSlider, setDriven, setLoad } from "./edits.js";
+import { addLink, addPoint, addSlider, placeOfSpot, putPivot, removeSlider, setDriven, setLoad, setTorque } from "./edits.js";
 import { FORCE_SCALE } from "./hits.js";
-import { canDrive, FRAME, isBlock, isFixed, jointOf, sliderOf } from "./model.js";
+import { canDrive, FRAME, isBlock, isFixed, jointOf, loadOf, sliderOf } from "./model.js";
 import { RADIANS } from "../sampling.js";
 
 const RIGHT = 15, NEARLY_RIGHT = 4;   // degrees: directions near multiples of the first become such
@@ -29,11 +29,14 @@ function unslide(state, { joint, slider }) {
 }
 
 function pull(state, from, to) {
-  const on = from.joint ?? from.load;
+  const on = from.joint ?? (from.load === undefined ? undefined : loadOf(state, from.load).on);
   if (on === undefined || to.at === undefined && to.joint === undefined || isFixed(jointOf(state, on))) return null;
   const p = jointOf(state, on).at, q = placeOfSpot(state, to);
-  return setLoad(state, on, p.map((x, k) => Math.round(FORCE_SCALE * (q[k] - x))));
+  return setLoad(state, from.load ?? on, p.map((x, k) => Math.round(FORCE_SCALE * (q[k] - x))));
 }
+
+// A first torque on the link at a spot, counter-clockwise; then the other way round.
+const twist = (state, { link }) => (link === undefined ? null : setTorque(state, link, -(loadOf(state, link)?.torque ?? -1)));
 
 function trace(state, from, to) {
   const link = linkAtSpot(state, from);
@@ -55,5 +58,5 @@ export const TOOLS = {
   slider: { key: "s", ends: true, drag: slide, click: unslide },
   point: { key: "p", drag: trace, click: (state, spot) => (spot.link === undefined ? null : addPoint(state, spot.link, spot.at)) },
   drive: { key: "d", click: drivenBy },
-  load: { key: "o", ends: true, drag: pull },
+  load: { key: "o", ends: true, drag: pull, click: twist },
 };
