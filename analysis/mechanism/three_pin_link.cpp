@@ -79,12 +79,22 @@ Sextic sextic(const ClosureByAngle& closure) {
   return coefficients;
 }
 
+/// 1/z without the care for overflow that the operator takes: all here is of order one.
+Complex inverse(const Complex& z) {
+  return std::conj(z) / std::norm(z);
+}
+
+/// a·b, likewise.
+Complex product(const Complex& a, const Complex& b) {
+  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
 /// A polynomial and its derivative.
 std::array<Complex, 2> value_of(const Sextic& polynomial, const Complex& u) {
   Complex value = polynomial[kDegree], rate = 0;
   for (int k = kDegree; k-- > 0;) {
-    rate = rate * u + value;
-    value = value * u + polynomial[static_cast<std::size_t>(k)];
+    rate = product(rate, u) + value;
+    value = product(value, u) + polynomial[static_cast<std::size_t>(k)];
   }
   return {value, rate};
 }
@@ -92,7 +102,7 @@ std::array<Complex, 2> value_of(const Sextic& polynomial, const Complex& u) {
 /// Aberth's iteration. The roots lie on the unit circle or in pairs on both sides of it.
 std::array<Complex, kDegree> roots_of(const Sextic& polynomial) {
   constexpr int kMostSteps = 60;
-  constexpr double kSettled = 1e-14;
+  constexpr double kSettled = 1e-9;  // after which an iteration of third order is at rounding
   std::array<Complex, kDegree> roots;
   for (std::size_t i = 0; i < roots.size(); ++i) {
     roots[i] = std::polar(i % 2 == 0 ? 0.9 : 1.2, 0.4 + kTurn * static_cast<double>(i) / kDegree);
@@ -101,11 +111,11 @@ std::array<Complex, kDegree> roots_of(const Sextic& polynomial) {
     double farthest = 0;
     for (std::size_t i = 0; i < roots.size(); ++i) {
       const auto [value, rate] = value_of(polynomial, roots[i]);
-      Complex repelled = rate / value;
+      Complex repelled = product(rate, inverse(value));
       for (std::size_t j = 0; j < roots.size(); ++j) {
-        if (j != i) repelled -= 1.0 / (roots[i] - roots[j]);
+        if (j != i) repelled -= inverse(roots[i] - roots[j]);
       }
-      const Complex change = 1.0 / repelled;
+      const Complex change = inverse(repelled);
       if (!std::isfinite(change.real()) || !std::isfinite(change.imag())) continue;
       roots[i] -= change;
       farthest = std::max(farthest, std::abs(change));

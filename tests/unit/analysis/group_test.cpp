@@ -14,88 +14,10 @@
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/zeros.hpp"
+#include "tests/support/three_pin_links.hpp"
 
 namespace cognate {
 namespace {
-
-constexpr int kPlate = 5, kCrankOfDyads = 5, kPlateOfDyads = 2;
-
-/// A mechanism as it is drawn: crank AB, a plate with pins P, its legs to B and the frame.
-struct Drawn {
-  Vec2d a, b;
-  std::array<Vec2d, 3> pins;
-  std::array<Vec2d, 2> pivots;  ///< of the second leg and the third
-
-  double angle() const { return angle_of(b - a); }
-};
-
-Placement from_to(const Vec2d& from, const Vec2d& to) {
-  return {from, (1 / norm(to - from)) * (to - from)};
-}
-
-Vec2d in_axes(const Placement& axes, const Vec2d& place) {
-  return conj(axes.direction) * (place - axes.origin);
-}
-
-/// Legs are bodies 2 to 4, the plate is body 5 with the axes of the global ones moved to its first
-/// pin.
-Mechanism<double> with_group(const Drawn& drawn) {
-  const auto& [a, b, pins, pivots] = drawn;
-  Group group;
-  group.drive = drawn.angle();
-  group.drawn = {from_to(b, pins[0]),
-                 from_to(pivots[0], pins[1]),
-                 from_to(pivots[1], pins[2]),
-                 {pins[0], {1, 0}}};
-  const double crank = norm(b - a);
-  group.joints = {{{1, {crank, 0}}, {2, {}}}, {{0, pivots[0]}, {3, {}}}, {{0, pivots[1]}, {4, {}}}};
-  for (int leg = 0; leg < 3; ++leg) {
-    const auto i = static_cast<std::size_t>(leg);
-    group.joints.push_back(
-        {{2 + leg, in_axes(group.drawn[i], pins[i])}, {kPlate, in_axes(group.drawn[3], pins[i])}});
-  }
-  return {Crank<double>{a, crank}, {group, GroupRest{}}};
-}
-
-Assembly side_of(const Vec2d& from, const Vec2d& to, const Vec2d& joint) {
-  return cross(to - from, joint - from) > 0 ? Assembly::open : Assembly::crossed;
-}
-
-/// The same, driven by the second leg: the plate and the third leg are a dyad, the first leg and
-/// the crank, body 5, another.
-Mechanism<double> with_dyads(const Drawn& drawn) {
-  const auto& [a, b, pins, pivots] = drawn;
-  const double leg = norm(pins[1] - pivots[0]);
-  const Placement plate = from_to(pins[1], pins[2]);
-  return {Crank<double>{pivots[0], leg},
-          {Rrr<double>{{1, {leg, 0}},
-                       {0, pivots[1]},
-                       norm(pins[2] - pins[1]),
-                       norm(pins[2] - pivots[1]),
-                       side_of(pins[1], pivots[1], pins[2])},
-           Rrr<double>{{kPlateOfDyads, in_axes(plate, pins[0])},
-                       {0, a},
-                       norm(b - pins[0]),
-                       norm(b - a),
-                       side_of(pins[0], a, b)}}};
-}
-
-class Chance {
- public:
-  explicit Chance(unsigned seed) : engine_(seed) {}
-  double between(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine_);
-  }
-  Vec2d place(double size) { return {between(-size, size), between(-size, size)}; }
-
-  Drawn drawn() {
-    return {
-        {}, unit_vector(between(-kPi, kPi)), {place(4), place(4), place(4)}, {place(5), place(5)}};
-  }
-
- private:
-  std::mt19937 engine_;
-};
 
 /// Crank angle and a point of the plate, by the mechanism of dyads.
 class ByDyads {
