@@ -3,12 +3,20 @@ set(COGNATE_SKETCH_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/sketch_kernel.base64")
 cognate_page_kernel(sketch_kernel
   analysis/batch/instruction_set.cpp
   ${linkages}
+  analysis/mechanism/assembly_fault.cpp
+  analysis/mechanism/assembly_probe.cpp
+  analysis/mechanism/assembly_ranges.cpp
+  analysis/mechanism/circuit_range.cpp
+  analysis/mechanism/dyad_reach.cpp
   analysis/mechanism/inverse_dynamics.cpp
   analysis/mechanism/group_closure.cpp
   analysis/mechanism/group_equations.cpp
   analysis/mechanism/group_track.cpp
   analysis/mechanism/joint_balance.cpp
   analysis/mechanism/kinematics.cpp
+  analysis/mechanism/sliding_pairs.cpp
+  analysis/mechanism/transmission_extremes.cpp
+  analysis/mechanism/travel.cpp
   app/report/kernel/answer.cpp
   app/report/kernel/document.cpp
   app/report/kernel/expressions.cpp
@@ -23,6 +31,31 @@ cognate_page_kernel(sketch_kernel
   app/report/kernel/search_left_out.cpp
   app/report/kernel/sketch.cpp
   app/report/kernel/sketched.cpp
+  app/report/kernel/slider_cranks.cpp
+  problems/chain/between_targets.cpp
+  problems/chain/chosen_targets.cpp
+  problems/chain/cosine_scan.cpp
+  problems/chain/crank_angles/in_order.cpp
+  problems/chain/crank_angles/starts.cpp
+  problems/chain/free_chain.cpp
+  problems/chain/known_topologies.cpp
+  problems/chain/minima_designs.cpp
+  problems/chain/model.cpp
+  problems/chain/names.cpp
+  problems/chain/places.cpp
+  problems/chain/read_design.cpp
+  problems/chain/read_parts.cpp
+  problems/chain/refine.cpp
+  problems/chain/scaled.cpp
+  problems/chain/search.cpp
+  problems/chain/space.cpp
+  problems/chain/starts/alignment.cpp
+  problems/chain/starts/draw.cpp
+  problems/chain/starts/known.cpp
+  problems/chain/starts/placed.cpp
+  problems/chain/topology.cpp
+  problems/chain/verify.cpp
+  problems/chain/wanted_points.cpp
   problems/function/dead_centre.cpp
   problems/function/designs.cpp
   problems/function/error_peaks.cpp
@@ -106,6 +139,9 @@ cognate_page_kernel(sketch_kernel
   problems/toml/table_reader.cpp
   problems/toml/table_reader_arrays.cpp
   problems/toml/table_writer.cpp
+  synthesis/chain/bodies.cpp
+  synthesis/chain/chain_fit.cpp
+  synthesis/chain/chain_fit_kernel.cpp
   synthesis/exact/binary_form.cpp
   synthesis/exact/chebyshev.cpp
   synthesis/exact/freudenstein.cpp

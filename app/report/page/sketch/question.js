@@ -14,8 +14,9 @@ const KEPT_CLEAR = ["coupler-point", "B", "C"];
 
 // Starts of the searches that follow one another. Fewer are mostly enough for poses, since more is made of each; limits over the
 // whole turn take ten times as long.
-export function startsOf({ angles, ranges, obstacle }) {
+export function startsOf({ angles, ranges, obstacle, slides }) {
   if (ranges) return [16, 128, 512];
+  if (slides) return [60, 500, 2500];
   return obstacle ? [15, 60, 250] : [...(angles ? [15] : []), 60, 500, 2500];
 }
 
@@ -42,12 +43,16 @@ function pivotsWithin({ points, region, reach }, size) {
 // Those of every kind of drawing.
 const commonLimits = ({ class: asked, least }) => ({ ...(asked === "any" ? {} : { class: asked }), ...(least > 0 ? { transmission_angle_deg: [least, 180 - least] } : {}) });
 
+// Of chains: one box for all pivots.
+const limitsOfChain = ({ least }, length, pivots) => ({ bounds: { length, pivots }, constraints: commonLimits({ class: "any", least }) });
+
 // Links of a generator are as long as one likes: the limit is on the longest by the shortest.
 function limitsOf(state) {
   const { ranges, reach, obstacle } = state;
   if (ranges) return { constraints: { ...commonLimits(state), link_ratio_max: reach } };
-  const size = drawingSize(state), within = pivotsWithin(state, size);
-  return { bounds: { length: [short(SHORTEST * size), short(reach * size)], pivot_a: within, pivot_d: within },
+  const size = drawingSize(state), within = pivotsWithin(state, size), length = [short(SHORTEST * size), short(reach * size)];
+  if (state.slides) return limitsOfChain(state, length, within);
+  return { bounds: { length, pivot_a: within, pivot_d: within },
     constraints: { ...commonLimits(state), ...(obstacle ? { clearance: KEPT_CLEAR.map((point) => ({ point, outside: obstacle })) } : {}) } };
 }
 
@@ -63,12 +68,15 @@ function weightOf(points) {
 const guiding = (points, angles) => ({ kind: "motion-generation",
   target: { ...(points.length > 2 ? { method: "least-squares", ...weightOf(points) } : {}), poses: points.map((p, i) => [...p, angles[i]]) }, mechanism: { dyads: ["RR"] } });
 
+const bySlider = (points, closed) => ({ kind: "path-generation", target: { points, timing: "free", closed }, mechanism: { type: "slider-crank" } });
+
 const tracing = (points) => ({ kind: "path-generation", target: { points, timing: "free", order: "cyclic" } });
 
 const generating = (pairs) => ({ kind: "function-generation", target: { pairs_deg: pairs } });
 
-function targetsOf({ points, angles, ranges }) {
+function targetsOf({ points, angles, ranges, closed, slides }) {
   if (ranges) return generating(points);
+  if (slides) return bySlider(points, closed);
   return angles ? guiding(points, angles) : tracing(points);
 }
 
@@ -78,13 +86,17 @@ export const problemOf = (state, solve) => ({ ...targetsOf(state), ...limitsOf(s
 // A design as the search takes it up: see read_known and read_generators in the kernel.
 const asKnown = ({ mechanism: m, crank_deg: cranks, body_angle_deg: body = 0 }) =>
   [...m.fixed_pivots.flat(), m.crank, m.coupler, m.rocker, ...m.coupler_point, m.assembly === "open" ? 1 : 0, body, ...cranks];
+const asKnownSlider = ({ mechanism: m, crank_deg: cranks }) =>
+  [...m.pivot, m.crank, m.direction_deg, m.offset, m.coupler, ...m.coupler_point, m.assembly === "open" ? 1 : 0, ...cranks];
 const asKnownGenerator = ({ mechanism: m, input_start_deg: input, output_start_deg: output }) =>
   [m.crank, m.coupler, m.rocker, Math.hypot(...m.fixed_pivots[1].map((x, k) => x - m.fixed_pivots[0][k])), m.assembly === "open" ? 1 : 0, input, output];
 
-// The designs shown that were found for targets of the same kind and, but for functions, as many.
-function knownOf({ points, ranges }, candidates) {
-  const entries = candidates.map(({ entry }) => entry).filter((entry) => (entry.input_start_deg !== undefined) === Boolean(ranges));
-  return ranges ? entries.map(asKnownGenerator) : entries.filter(({ crank_deg: cranks }) => cranks.length === points.length).map(asKnown);
+const isSlider = ({ mechanism }) => mechanism.type === "slider-crank";
+
+// The designs shown that are mechanisms of the same kind for targets of the same kind and, but for functions, as many.
+function knownOf({ points, ranges, slides }, candidates) {
+  const entries = candidates.map(({ entry }) => entry).filter((entry) => (entry.input_start_deg !== undefined) === Boolean(ranges) && isSlider(entry) === Boolean(slides));
+  return ranges ? entries.map(asKnownGenerator) : entries.filter(({ crank_deg: cranks }) => cranks.length === points.length).map(slides ? asKnownSlider : asKnown);
 }
 
 // The question while a hand still drags: from designs that were shown, if there are any.
