@@ -1,5 +1,5 @@
-/// @file From the minima of a search of chains to the designs of its problem, in the file's units and
-/// verified.
+/// @file From the minima of a search of chains to the designs of its problem, in the file's units
+/// and verified.
 #pragma once
 
 #include <vector>

@@ -3,6 +3,13 @@ set(COGNATE_SKETCH_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/sketch_kernel.base64")
 cognate_page_kernel(sketch_kernel
   analysis/batch/instruction_set.cpp
   ${linkages}
+  analysis/coupler_curve/contact.cpp
+  analysis/coupler_curve/longest_segment.cpp
+  analysis/coupler_curve/narrowest_strip.cpp
+  analysis/coupler_curve/parallel_cranks.cpp
+  analysis/coupler_curve/pole.cpp
+  analysis/coupler_curve/sampled_segment.cpp
+  analysis/coupler_curve/straightness.cpp
   analysis/mechanism/assembly_fault.cpp
   analysis/mechanism/assembly_probe.cpp
   analysis/mechanism/assembly_ranges.cpp
@@ -32,6 +39,7 @@ cognate_page_kernel(sketch_kernel
   app/report/kernel/sketch.cpp
   app/report/kernel/sketched.cpp
   app/report/kernel/slider_cranks.cpp
+  app/report/kernel/straight_lines.cpp
   problems/chain/between_targets.cpp
   problems/chain/chosen_targets.cpp
   problems/chain/cosine_scan.cpp
@@ -134,6 +142,15 @@ cognate_page_kernel(sketch_kernel
   problems/path/start_timings.cpp
   problems/path/starts.cpp
   problems/search/solver_origin.cpp
+  problems/straight_line/model.cpp
+  problems/straight_line/model_variables.cpp
+  problems/straight_line/normalised.cpp
+  problems/straight_line/peaks.cpp
+  problems/straight_line/scan.cpp
+  problems/straight_line/search.cpp
+  problems/straight_line/segment.cpp
+  problems/straight_line/segment_forms.cpp
+  problems/straight_line/starts.cpp
   problems/toml/fault_list.cpp
   problems/toml/nearest.cpp
   problems/toml/table_reader.cpp
@@ -157,6 +174,8 @@ cognate_page_kernel(sketch_kernel
   synthesis/exact/motion/relative_motion.cpp
   synthesis/exact/motion/seen_from_body.cpp
   synthesis/exact/motion/three_poses.cpp
+  synthesis/exact/straight_line/coupler_position.cpp
+  synthesis/exact/straight_line/straight_points.cpp
   synthesis/fit/algebraic_dyads.cpp
   synthesis/fit/body_motion.cpp
   synthesis/fit/circle.cpp

@@ -13,6 +13,7 @@
 #include "problems/function/problem.hpp"
 #include "problems/guidance/problem.hpp"
 #include "problems/path/problem.hpp"
+#include "problems/straight_line/problem.hpp"
 
 namespace cognate::page {
 namespace {
@@ -58,11 +59,14 @@ COGNATE_EXPORT(sketch) int sketch_text(int seed) {
   if (kind == KindTraits<problems::FunctionProblem>::kWord) {
     return answer_with(sketched_functions(asked));
   }
+  if (kind == KindTraits<problems::StraightLineProblem>::kWord) {
+    return answer_with(sketched_lines(asked));
+  }
   if (kind == kFunctionValues) return answer_with(function_values(asked));
   problems::reading::FaultList faults;
   faults.add({},
-             "kind is none of \"path-generation\", \"motion-generation\" and "
-             "\"function-generation\"");
+             "kind is none of \"path-generation\", \"motion-generation\", "
+             "\"function-generation\" and \"straight-line\"");
   return answer_with(faults_json(std::move(faults)));
 }
 

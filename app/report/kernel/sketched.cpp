@@ -8,6 +8,7 @@
 #include "problems/basics/degrees.hpp"
 #include "problems/chain/verify.hpp"
 #include "problems/guidance/design.hpp"
+#include "problems/straight_line/normalised.hpp"
 
 namespace cognate::page {
 namespace {
@@ -32,11 +33,13 @@ json entry_of(const Design& design, MechanismOf mechanism_of) {
   json angles = json::array();
   for (const double angle : design.crank_angles) angles.push_back(problems::degrees(angle));
   const auto& metrics = design.metrics;
-  json entry{{"mechanism", mechanism_of(design)},
+  json mechanism = mechanism_of(design);
+  const json type = mechanism["type"];
+  json entry{{"mechanism", std::move(mechanism)},
              {"crank_deg", std::move(angles)},
              {"rms", design.error.rms},
              {"max", design.error.max},
-             {"class", metrics.mobility ? problems::to_string(*metrics.mobility) : ""},
+             {"class", metrics.mobility ? json(problems::to_string(*metrics.mobility)) : type},
              {"transmission_acute_min_deg", problems::degrees(metrics.transmission_acute_min)}};
   const auto body = find_quantity(metrics.quantities, problems::kBodyAngleKey);
   const auto turned = find_quantity(metrics.quantities, problems::kAngleErrorKey);
@@ -46,6 +49,11 @@ json entry_of(const Design& design, MechanismOf mechanism_of) {
   }
   if (const auto stray = find_quantity(metrics.quantities, problems::kStrayKey)) {
     entry["stray"] = *stray;
+  }
+  if (const auto along = find_quantity(metrics.quantities, problems::kLineDirectionKey)) {
+    entry["direction_deg"] = problems::degrees(*along);
+    entry["speed_variation"] =
+        find_quantity(metrics.quantities, problems::kSpeedVariationKey).value_or(0);
   }
   add_starts(metrics, entry);
   return entry;

@@ -69,6 +69,7 @@ nlohmann::ordered_json answered(const SketchQuestion& question, const Read& read
 /// The answers: `designs`, perhaps none, or `faults`, a list of sentences.
 nlohmann::ordered_json sketched_paths(const SketchQuestion& question);
 nlohmann::ordered_json sketched_slider_cranks(const SketchQuestion& question);
+nlohmann::ordered_json sketched_lines(const SketchQuestion& question);
 nlohmann::ordered_json sketched_motions(const SketchQuestion& question);
 nlohmann::ordered_json sketched_functions(const SketchQuestion& question);
 

@@ -51,8 +51,8 @@ std::size_t read_slider_path(problems::reading::LinkageTables& tables, ChainPath
   return problem.points.size();
 }
 
-/// Dimensions in the order of the topology's lines: pivot, crank, direction and offset of the guide,
-/// coupler, and the point on it.
+/// Dimensions in the order of the topology's lines: pivot, crank, direction and offset of the
+/// guide, coupler, and the point on it.
 synthesis::ChainDesign dimensions_of(const std::vector<double>& row) {
   const int ahead = row[8] == 1 ? 1 : -1;
   return {{row[0], row[1], row[2], radians(row[3]), row[4], row[5], row[6], row[7]},
@@ -86,10 +86,11 @@ std::vector<Design> read_slider_cranks(problems::reading::TableReader& document,
 std::vector<Design> solved(const ChainPathProblem& problem, const problems::Run& run) {
   const problems::Deadline none(run);
   const problems::TargetScale scale(problem.points);
+  if (!(scale.size > 0)) return {};
   const std::vector<problems::ScaledChain> chains{{problem, problem.topologies.front(), scale}};
   problems::Work work;
-  const auto found = search_chains(chains, problem.solve, run, none, work,
-                                   known_starts(run.known, chains, scale));
+  const auto found =
+      search_chains(chains, problem.solve, run, none, work, known_starts(run.known, chains, scale));
   auto designs = designs_of_minima(problem, scale, found.designs);
   std::erase_if(designs, [](const Design& one) { return !all_satisfied(one.constraints); });
   return designs;
@@ -112,8 +113,8 @@ json slider_crank_of(const Design& design) {
 json sketched_slider_cranks(const SketchQuestion& question) {
   return answered<ChainPathProblem>(
       question, read_slider_path,
-      [](const auto& problem, const auto& run) { return solved(problem, run); },
-      read_slider_cranks, slider_crank_of);
+      [](const auto& problem, const auto& run) { return solved(problem, run); }, read_slider_cranks,
+      slider_crank_of);
 }
 
 }  // namespace cognate::page
