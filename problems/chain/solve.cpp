@@ -10,6 +10,7 @@
 #include "problems/chain/found_designs.hpp"
 #include "problems/chain/front/front.hpp"
 #include "problems/chain/given.hpp"
+#include "problems/chain/minima_designs.hpp"
 #include "problems/chain/problem.hpp"
 #include "problems/chain/raster/search.hpp"
 #include "problems/chain/robust.hpp"
@@ -26,65 +27,10 @@
 #include "problems/raster/report.hpp"
 #include "problems/raster/run_parts.hpp"
 #include "problems/search/objectives.hpp"
-#include "problems/search/solver_origin.hpp"
 #include "problems/search/statistics.hpp"
 
 namespace cognate::problems {
 namespace {
-
-/// Designs whose dimensions differ by less, relative to the target, are one: they are in one
-/// valley.
-constexpr double kSameDimensions = 0.03;
-
-std::vector<double> angles_of_targets(const ChainMinimum& found) {
-  if (!found.problem->timed()) return found.angles;
-  std::vector<double> angles = found.problem->crank_angles;
-  for (double& angle : angles) angle += found.angles.front();
-  return angles;
-}
-
-bool is_known(const std::vector<ChainMinimum>& taken, const ChainMinimum& other) {
-  return std::ranges::any_of(taken, [&](const ChainMinimum& known) {
-    if (known.problem != other.problem || known.design.side != other.design.side) return false;
-    const auto& a = known.design.parameters;
-    const auto& b = other.design.parameters;
-    double apart = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      apart = std::max(apart, std::abs(a[i] - b[i]) / std::max(1.0, std::abs(a[i])));
-    }
-    return apart < kSameDimensions;
-  });
-}
-
-/// Different designs, those that meet every limit before the others; of these only where there are
-/// no such.
-std::vector<Design> designs_of(const ChainPathProblem& problem, const TargetScale& scale,
-                               const std::vector<ChainMinimum>& found) {
-  std::vector<Design> feasible, others;
-  // By themselves: a design that misses a limit by little does not stand for its neighbour that
-  // meets it.
-  std::vector<ChainMinimum> taken_feasible, taken_others;
-  for (ChainMinimum one : found) {
-    one.design = with_guides_forward(*one.problem, std::move(one.design));
-    const Topology& topology = *one.problem->topology;
-    auto mechanism = named(topology, scale.out_of(one.problem->chain, one.design));
-    Design design = verified(problem, topology, std::move(mechanism), angles_of_targets(one));
-    if (!std::isfinite(design.error.sum_of_squares)) continue;
-    if (one.stray > 0) {
-      design.metrics.quantities.push_back(quantity(kStrayKey, scale.size * one.stray));
-    }
-    const bool is_feasible = all_satisfied(design.constraints);
-    auto& taken = is_feasible ? taken_feasible : taken_others;
-    if (is_known(taken, one)) continue;
-    taken.push_back(one);
-    design.origin = search_origin(synthesis::chosen(problem.solve.solver));
-    (is_feasible ? feasible : others).push_back(std::move(design));
-  }
-  auto& best = feasible.empty() ? others : feasible;
-  const auto wanted = static_cast<std::size_t>(problem.solve.designs);
-  if (best.size() > wanted) best.resize(wanted);
-  return std::move(best);
-}
 
 /// The designs of the raster, from those that the search found without one.
 void take_raster(const ChainPathProblem& problem, const TargetScale& scale,
@@ -215,7 +161,7 @@ Result find_least_error(const ChainPathProblem& problem, const std::vector<Scale
   const ChainSearchResult found =
       search_chains(chains, problem.solve, problem.raster ? between_values(run) : run, deadline,
                     result.work, known_starts(run.known, chains, scale));
-  result.designs = designs_of(searched, scale, found.designs);
+  result.designs = designs_of_minima(searched, scale, found.designs);
   result.status = status_of(result.designs, deadline);
   result.quantities = quantities(found.statistics);
   if (problem.raster) {

@@ -134,7 +134,7 @@ void add_quantities(const LinkageSegment& found, const Path& path, const Straigh
   add(Key{"deviation_relative"}, straight.deviation / straight.length);
   add(kSegmentFromKey, straight.from);
   add(kSegmentToKey, straight.to);
-  add(AngleKey{"direction_deg"}, std::atan2(along.y, along.x));
+  add(kLineDirectionKey, std::atan2(along.y, along.x));
   if (const auto variation = speed_variation(path, straight)) add(kSpeedVariationKey, *variation);
   add(kSizeOverLengthKey, largest_dimension(found) / straight.length);
   add(Key{"straight_length_over_longest_link"}, straight.length / longest_link(found));

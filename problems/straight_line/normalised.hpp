@@ -13,6 +13,7 @@ inline constexpr QuantityKey<double> kSegmentLengthKey{"straight_length"},
     kSpeedVariationKey{"speed_variation"};
 /// Crank angles between which the segment lies.
 inline constexpr AngleKey kSegmentFromKey{"crank_from_deg"}, kSegmentToKey{"crank_to_deg"};
+inline constexpr AngleKey kLineDirectionKey{"direction_deg"};
 
 /// What the measured segment of a design is, for sorting and for tables.
 struct SegmentMeasures {

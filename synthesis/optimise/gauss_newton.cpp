@@ -35,6 +35,8 @@ class GaussNewton {
   void state_constraints(double share);
   bool find_step(double damping);
   void step_locals(double damping);
+  bool try_step();
+  bool correct_step();
   double predicted_decrease() const;
   double penalty(const VectorXd& constraints) const;
   double merit(const Point& point) const;
@@ -223,6 +225,31 @@ bool GaussNewton::find_step(double damping) {
   return false;
 }
 
+/// Whether the model has values where the step leads, which then are those of `next_`.
+bool GaussNewton::try_step() {
+  next_.x.head(globals_) = now_.x.head(globals_) + scale_.head(globals_).cwiseProduct(step_);
+  next_.x.tail(locals_) = now_.x.tail(locals_) + scale_.tail(locals_).cwiseProduct(local_step_);
+  next_.x = next_.x.cwiseMax(lower_).cwiseMin(upper_);
+  return evaluate(next_);
+}
+
+/// The step of the same quadratic program with the values at `next_`, where the last step led, less
+/// what that step was to change of them: a second-order correction (Fletcher 1982, "Second order
+/// corrections for non-differentiable optimization").
+bool GaussNewton::correct_step() {
+  qp_offset_.head(limits_) = next_.constraints - constraint_jacobian_ * step_;
+  const VectorXd residuals = next_.residuals - jacobian_ * step_;
+  Index row = qp_offset_.size() - 2 * rows_;
+  for (const double residual : residuals) {
+    qp_offset_[row++] = residual;
+    qp_offset_[row++] = -residual;
+  }
+  const auto status = qp_.solve(hessian_, gradient_, qp_matrix_, qp_offset_, equalities_);
+  if (status != QuadraticProgram::Status::solved) return false;
+  step_ = qp_.x().head(globals_);
+  return step_.allFinite();
+}
+
 void GaussNewton::step_locals(double damping) {
   for (Index local = 0; local < locals_; ++local) {
     const double along = local_rhs_[local] + local_rows_.row(local).dot(step_);
@@ -302,11 +329,13 @@ Solution GaussNewton::run() {
     raise_penalties();
     const double before = merit(now_);
     const double predicted = before - linearised_merit();
-    next_.x.head(globals_) = now_.x.head(globals_) + scale_.head(globals_).cwiseProduct(step_);
-    next_.x.tail(locals_) = now_.x.tail(locals_) + scale_.tail(locals_).cwiseProduct(local_step_);
-    next_.x = next_.x.cwiseMax(lower_).cwiseMin(upper_);
-    const bool valid = evaluate(next_);
-    const double gained = valid ? before - merit(next_) : 0;
+    bool valid = try_step();
+    double gained = valid ? before - merit(next_) : 0;
+    const bool falls_short = valid && gained < 0.5 * predicted;
+    if (options_.corrects_steps && minimax_ && locals_ == 0 && falls_short && correct_step()) {
+      valid = try_step();
+      gained = valid ? before - merit(next_) : 0;
+    }
     const bool negligible = predicted <= options_.tolerance * before + floor;
     if (valid && gained > 1e-4 * predicted && gained > 0) {
       const double ratio = gained / predicted;

@@ -40,6 +40,9 @@ struct Options {
   /// Gauss-Newton sets its penalties by them; Ipopt, on sums of squares, begins near the central
   /// path's end. The others begin anew.
   std::span<const double> multipliers = {};
+  /// Of Gauss-Newton on largest residuals: a step that fails is corrected to second order before a
+  /// shorter one is tried. It then ends nearer to minima at which few residuals are the largest.
+  bool corrects_steps = false;
 };
 
 /// Where a solver ended, and why.

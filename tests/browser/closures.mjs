@@ -58,3 +58,17 @@ export function leastTransmission(bar, cranks) {
   const used = cranks.map((degrees) => { const x = degrees * RADIANS - frame - first; return first + x - 2 * Math.PI * Math.floor(x / (2 * Math.PI)); });
   return leastOver(bar, frame + Math.min(...used), frame + Math.max(...used));
 }
+
+// A slider-crank {a, crank, coupler, offset, direction, u, v, ahead}, of its guide's direction in degrees and 1 where the slider is ahead of the
+// crank's pin, by the circle about that pin that meets the guide: the point on the rod, and the angle of rod and guide's normal; null where
+// they do not meet.
+export function sliderPose({ a, crank, coupler, offset, direction, u, v, ahead }, angle) {
+  const b = [a[0] + crank * Math.cos(angle), a[1] + crank * Math.sin(angle)], e = [Math.cos(direction * RADIANS), Math.sin(direction * RADIANS)];
+  // The guide is n·x = h; the foot of B on it is as far from C as Pythagoras says.
+  const n = [-e[1], e[0]], h = n[0] * a[0] + n[1] * a[1] + offset, rise = h - n[0] * b[0] - n[1] * b[1], way = Math.sqrt(coupler ** 2 - rise ** 2);
+  if (Number.isNaN(way)) return null;
+  const c = [b[0] + rise * n[0] + ahead * way * e[0], b[1] + rise * n[1] + ahead * way * e[1]], turn = Math.atan2(c[1] - b[1], c[0] - b[0]);
+  return { at: [b[0] + u * Math.cos(turn) - v * Math.sin(turn), b[1] + u * Math.sin(turn) + v * Math.cos(turn)], c, transmission: Math.acos(Math.abs(rise) / coupler) / RADIANS };
+}
+
+export const sliderOf = ({ pivot, crank, coupler, offset, direction_deg: direction, assembly, coupler_point: [u, v] }) => ({ a: pivot, crank, coupler, offset, direction, u, v, ahead: assembly === "open" ? 1 : -1 });

@@ -24,12 +24,17 @@ const POSES = [[[0.22, 0.62], [0.3, 0.62]], [[0.33, 0.42], [0.4, 0.38]], [[0.52,
 // A function likewise, through its diagram.
 const FUNCTION = Array.from({ length: 61 }, (_, i) => i / 60).map((t) => [0.16 + 0.367 * t, 0.645 - 0.6 * (0.04 + 0.92 * (1.25 * t - 0.25 * t * t * t))]);
 
-// `options` of the command. `draw`: strokes, in shares of the sheet, after a click on `begin`. `click`: a choice about the picture. `press`: the extra layers of the picture. `drive`: where the mechanism stands, in degrees or length. `show`: how far down the picture goes.
+// A straight line, from end to end.
+const LINE = [[0.3, 0.7], [0.72, 0.7]];
+
+// `options` of the command. `choose`: a list and a word of it, before the strokes. `draw`: strokes, in shares of the sheet, after a click on `begin`. `click`: a choice about the picture. `press`: the extra layers of the picture. `drive`: where the mechanism stands, in degrees or length. `show`: how far down the picture goes.
 const PICTURES = [
   { name: "sketch", command: "sketch", file: "sketch", draw: [DROP], drive: 150, show: "#stage" },
   { name: "sketch-front", command: "sketch", file: "sketch", draw: [DROP], only: "#front" },
   { name: "sketch-poses", command: "sketch", file: "sketch", begin: "#of-poses", draw: POSES, drive: 80, show: "#stage" },
   { name: "sketch-function", command: "sketch", file: "sketch", begin: "#of-function", draw: [FUNCTION], drive: 105, show: "#stage" },
+  { name: "sketch-slider-crank", command: "sketch", file: "sketch", begin: "#by-slider", draw: [DROP], drive: 60, show: "#stage" },
+  { name: "sketch-line", command: "sketch", file: "sketch", begin: "#of-line", draw: [LINE], choose: ["#class", "crank-rocker"], drive: 60, show: "#stage" },
   { name: "build", command: "sketch", file: "mechanism", options: ["--mechanism"], begin: "[data-example=quick_return]", drive: 148, show: "#stage" },
   { name: "report", command: "solve", file: "path/ten-point-ellipse" },
   { name: "report-dark", command: "solve", file: "path/ten-point-ellipse", scheme: "dark" },
@@ -114,6 +119,7 @@ for (const picture of PICTURES.filter(({ name }) => !wanted.length || wanted.inc
   const { page, faults, close } = await open(browser, writePage(picture, scratch), { scheme, locale, motion: "reduce" });
   await page.setViewportSize(SIZE);
   if (picture.begin) await page.locator(picture.begin).click();
+  if (picture.choose) await page.locator(picture.choose[0]).selectOption(picture.choose[1]);
   if (picture.draw) await drawStrokes(page, picture.draw);
   await setDrive(page, drive);
   await showForces(page);

@@ -33,11 +33,20 @@ export async function answered(command, text, ...options) {
   return JSON.parse(run.stdout);
 }
 
+// A slider-crank as the search gives it, of one that the program gives as a chain.
+function sliderCrank({ pivot: [{ at }], crank, dyad: [{ lengths: [coupler], slide, assembly }], point: [{ at: point }] }) {
+  return { type: "slider-crank", pivot: at, crank: crank.length, coupler, offset: slide.offset, direction_deg: slide.direction_deg, assembly, coupler_point: point };
+}
+
+// Of a straight line the deviation is the error.
+const lineOf = ({ deviation, crank_from_deg: from, crank_to_deg: to, direction_deg: direction, speed_variation: variation }) =>
+  ({ crank_deg: [from, (from + to) / 2, to], rms: deviation, max: deviation, direction_deg: direction, speed_variation: variation });
+
 // What the search answers, by the program. Errors of functions are in degrees.
 async function programAnswer(problem) {
   const result = await answered("solve", problemToml(problem)), unit = problem.kind === "function-generation" ? 180 / Math.PI : 1;
-  return { designs: result.designs.map(({ mechanism, crank_deg: cranks, error, metrics }) => ({ mechanism, crank_deg: cranks, rms: unit * error.rms, max: unit * error.max,
-    class: metrics.class, transmission_acute_min_deg: metrics.transmission_angle_deg.acute_min, body_angle_deg: metrics.body_angle_in_link_deg, angle_max_deg: metrics.angle_error_max_deg,
+  return { designs: result.designs.map(({ mechanism, crank_deg: cranks, error, metrics }) => ({ mechanism: mechanism.type === "chain" ? sliderCrank(mechanism) : mechanism, crank_deg: cranks, rms: unit * error.rms, max: unit * error.max,
+    stray: metrics.stray_between_points, ...(problem.kind === "straight-line" ? lineOf(metrics) : {}), class: metrics.class ?? metrics.topology, transmission_acute_min_deg: metrics.transmission_angle_deg.acute_min, body_angle_deg: metrics.body_angle_in_link_deg, angle_max_deg: metrics.angle_error_max_deg,
     input_start_deg: metrics.input_start_deg, output_start_deg: metrics.output_start_deg })) };
 }
 

@@ -7,7 +7,9 @@ namespace cognate {
 
 synthesis::Solution synthesis::solve(Solver /*solver*/, const Model& model,
                                      std::span<const double> start, const Options& options) {
-  return solve_gauss_newton(model, start, options);
+  Options own = options;
+  own.corrects_steps = true;
+  return solve_gauss_newton(model, start, own);
 }
 
 bool problems::has_exact_starts(const PathProblem& /*problem*/) {

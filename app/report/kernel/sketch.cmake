@@ -3,12 +3,27 @@ set(COGNATE_SKETCH_KERNEL "${CMAKE_CURRENT_BINARY_DIR}/sketch_kernel.base64")
 cognate_page_kernel(sketch_kernel
   analysis/batch/instruction_set.cpp
   ${linkages}
+  analysis/coupler_curve/contact.cpp
+  analysis/coupler_curve/longest_segment.cpp
+  analysis/coupler_curve/narrowest_strip.cpp
+  analysis/coupler_curve/parallel_cranks.cpp
+  analysis/coupler_curve/pole.cpp
+  analysis/coupler_curve/sampled_segment.cpp
+  analysis/coupler_curve/straightness.cpp
+  analysis/mechanism/assembly_fault.cpp
+  analysis/mechanism/assembly_probe.cpp
+  analysis/mechanism/assembly_ranges.cpp
+  analysis/mechanism/circuit_range.cpp
+  analysis/mechanism/dyad_reach.cpp
   analysis/mechanism/inverse_dynamics.cpp
   analysis/mechanism/group_closure.cpp
   analysis/mechanism/group_equations.cpp
   analysis/mechanism/group_track.cpp
   analysis/mechanism/joint_balance.cpp
   analysis/mechanism/kinematics.cpp
+  analysis/mechanism/sliding_pairs.cpp
+  analysis/mechanism/transmission_extremes.cpp
+  analysis/mechanism/travel.cpp
   app/report/kernel/answer.cpp
   app/report/kernel/document.cpp
   app/report/kernel/expressions.cpp
@@ -23,6 +38,32 @@ cognate_page_kernel(sketch_kernel
   app/report/kernel/search_left_out.cpp
   app/report/kernel/sketch.cpp
   app/report/kernel/sketched.cpp
+  app/report/kernel/slider_cranks.cpp
+  app/report/kernel/straight_lines.cpp
+  problems/chain/between_targets.cpp
+  problems/chain/chosen_targets.cpp
+  problems/chain/cosine_scan.cpp
+  problems/chain/crank_angles/in_order.cpp
+  problems/chain/crank_angles/starts.cpp
+  problems/chain/free_chain.cpp
+  problems/chain/known_topologies.cpp
+  problems/chain/minima_designs.cpp
+  problems/chain/model.cpp
+  problems/chain/names.cpp
+  problems/chain/places.cpp
+  problems/chain/read_design.cpp
+  problems/chain/read_parts.cpp
+  problems/chain/refine.cpp
+  problems/chain/scaled.cpp
+  problems/chain/search.cpp
+  problems/chain/space.cpp
+  problems/chain/starts/alignment.cpp
+  problems/chain/starts/draw.cpp
+  problems/chain/starts/known.cpp
+  problems/chain/starts/placed.cpp
+  problems/chain/topology.cpp
+  problems/chain/verify.cpp
+  problems/chain/wanted_points.cpp
   problems/function/dead_centre.cpp
   problems/function/designs.cpp
   problems/function/error_peaks.cpp
@@ -101,11 +142,23 @@ cognate_page_kernel(sketch_kernel
   problems/path/start_timings.cpp
   problems/path/starts.cpp
   problems/search/solver_origin.cpp
+  problems/straight_line/model.cpp
+  problems/straight_line/model_variables.cpp
+  problems/straight_line/normalised.cpp
+  problems/straight_line/peaks.cpp
+  problems/straight_line/scan.cpp
+  problems/straight_line/search.cpp
+  problems/straight_line/segment.cpp
+  problems/straight_line/segment_forms.cpp
+  problems/straight_line/starts.cpp
   problems/toml/fault_list.cpp
   problems/toml/nearest.cpp
   problems/toml/table_reader.cpp
   problems/toml/table_reader_arrays.cpp
   problems/toml/table_writer.cpp
+  synthesis/chain/bodies.cpp
+  synthesis/chain/chain_fit.cpp
+  synthesis/chain/chain_fit_kernel.cpp
   synthesis/exact/binary_form.cpp
   synthesis/exact/chebyshev.cpp
   synthesis/exact/freudenstein.cpp
@@ -121,6 +174,8 @@ cognate_page_kernel(sketch_kernel
   synthesis/exact/motion/relative_motion.cpp
   synthesis/exact/motion/seen_from_body.cpp
   synthesis/exact/motion/three_poses.cpp
+  synthesis/exact/straight_line/coupler_position.cpp
+  synthesis/exact/straight_line/straight_points.cpp
   synthesis/fit/algebraic_dyads.cpp
   synthesis/fit/body_motion.cpp
   synthesis/fit/circle.cpp

@@ -6,7 +6,9 @@
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/degrees.hpp"
+#include "problems/chain/verify.hpp"
 #include "problems/guidance/design.hpp"
+#include "problems/straight_line/normalised.hpp"
 
 namespace cognate::page {
 namespace {
@@ -18,17 +20,6 @@ json pair(const Vec2d& point) {
   return json::array({point.x, point.y});
 }
 
-json mechanism_of(const FourBar& linkage) {
-  json mechanism{{"type", "four-bar"},
-                 {"fixed_pivots", {pair(linkage.pivot_a), pair(linkage.pivot_d)}},
-                 {"crank", linkage.crank},
-                 {"coupler", linkage.coupler},
-                 {"rocker", linkage.rocker}};
-  if (linkage.coupler_point) mechanism["coupler_point"] = pair(*linkage.coupler_point);
-  mechanism["assembly"] = linkage.assembly == Assembly::open ? "open" : "crossed";
-  return mechanism;
-}
-
 /// Of a generator of functions its start angles, and errors in degrees too.
 void add_starts(const problems::Metrics& metrics, json& entry) {
   if (!metrics.input_start || !metrics.output_start) return;
@@ -38,15 +29,17 @@ void add_starts(const problems::Metrics& metrics, json& entry) {
     entry[error] = entry[error].get<double>() * kDegreesInRadian;
 }
 
-json entry_of(const Design& design) {
+json entry_of(const Design& design, MechanismOf mechanism_of) {
   json angles = json::array();
   for (const double angle : design.crank_angles) angles.push_back(problems::degrees(angle));
   const auto& metrics = design.metrics;
-  json entry{{"mechanism", mechanism_of(four_bar(design))},
+  json mechanism = mechanism_of(design);
+  const json type = mechanism["type"];
+  json entry{{"mechanism", std::move(mechanism)},
              {"crank_deg", std::move(angles)},
              {"rms", design.error.rms},
              {"max", design.error.max},
-             {"class", metrics.mobility ? problems::to_string(*metrics.mobility) : ""},
+             {"class", metrics.mobility ? json(problems::to_string(*metrics.mobility)) : type},
              {"transmission_acute_min_deg", problems::degrees(metrics.transmission_acute_min)}};
   const auto body = find_quantity(metrics.quantities, problems::kBodyAngleKey);
   const auto turned = find_quantity(metrics.quantities, problems::kAngleErrorKey);
@@ -54,11 +47,31 @@ json entry_of(const Design& design) {
     entry["body_angle_deg"] = problems::degrees(*body);
     entry["angle_max_deg"] = problems::degrees(*turned);
   }
+  if (const auto stray = find_quantity(metrics.quantities, problems::kStrayKey)) {
+    entry["stray"] = *stray;
+  }
+  if (const auto along = find_quantity(metrics.quantities, problems::kLineDirectionKey)) {
+    entry["direction_deg"] = problems::degrees(*along);
+    entry["speed_variation"] =
+        find_quantity(metrics.quantities, problems::kSpeedVariationKey).value_or(0);
+  }
   add_starts(metrics, entry);
   return entry;
 }
 
 }  // namespace
+
+json four_bar_of(const Design& design) {
+  const FourBar& linkage = four_bar(design);
+  json mechanism{{"type", "four-bar"},
+                 {"fixed_pivots", {pair(linkage.pivot_a), pair(linkage.pivot_d)}},
+                 {"crank", linkage.crank},
+                 {"coupler", linkage.coupler},
+                 {"rocker", linkage.rocker}};
+  if (linkage.coupler_point) mechanism["coupler_point"] = pair(*linkage.coupler_point);
+  mechanism["assembly"] = linkage.assembly == Assembly::open ? "open" : "crossed";
+  return mechanism;
+}
 
 void require_target(problems::reading::TableReader& target, std::string_view key) {
   if (!target.has(key)) target.fault(key, "is missing");
@@ -100,9 +113,9 @@ problems::Run run_of(const SketchQuestion& question, std::vector<Design> known) 
   return run;
 }
 
-json sketched(const std::vector<Design>& designs) {
+json sketched(const std::vector<Design>& designs, MechanismOf mechanism_of) {
   json entries = json::array();
-  for (const Design& design : designs) entries.push_back(entry_of(design));
+  for (const Design& design : designs) entries.push_back(entry_of(design, mechanism_of));
   return {{"designs", std::move(entries)}};
 }
 

@@ -33,18 +33,26 @@ std::vector<problems::Design> read_known(problems::reading::TableReader& documen
 /// A search on the one thread of a page.
 problems::Run run_of(const SketchQuestion& question, std::vector<problems::Design> known);
 
+/// What a question's answer calls a design that is a four-bar: its dimensions as in a file.
+nlohmann::ordered_json four_bar_of(const problems::Design& design);
+
+/// The same of any kind of mechanism.
+using MechanismOf = nlohmann::ordered_json (*)(const problems::Design& design);
+
 /// {"designs": each with its errors and what is measured of it}.
-nlohmann::ordered_json sketched(const std::vector<problems::Design>& designs);
+nlohmann::ordered_json sketched(const std::vector<problems::Design>& designs,
+                                MechanismOf mechanism_of);
 
 /// Faults a target that is missing: there is nothing to search for.
 void require_target(problems::reading::TableReader& target, std::string_view key);
 
 /// The answer to a question. `read(tables, problem)` fills a problem from the tables and gives the
 /// number of its targets, `solve(problem, run)` gives designs; `known(reader, targets)` are those
-/// that the search begins with.
+/// that the search begins with, `mechanism_of` says what a design is.
 template <class Problem, class Read, class Solve, class Known = decltype(&read_known)>
 nlohmann::ordered_json answered(const SketchQuestion& question, const Read& read,
-                                const Solve& solve, const Known& known = &read_known) {
+                                const Solve& solve, const Known& known = &read_known,
+                                MechanismOf mechanism_of = &four_bar_of) {
   problems::reading::FaultList faults;
   problems::reading::TableReader reader(question.document, faults);
   reader.know({"kind"});
@@ -55,11 +63,13 @@ nlohmann::ordered_json answered(const SketchQuestion& question, const Read& read
   auto begun = known(reader, targets);
   reader.finish();
   if (!faults.empty()) return faults_json(std::move(faults));
-  return sketched(solve(problem, run_of(question, std::move(begun))));
+  return sketched(solve(problem, run_of(question, std::move(begun))), mechanism_of);
 }
 
 /// The answers: `designs`, perhaps none, or `faults`, a list of sentences.
 nlohmann::ordered_json sketched_paths(const SketchQuestion& question);
+nlohmann::ordered_json sketched_slider_cranks(const SketchQuestion& question);
+nlohmann::ordered_json sketched_lines(const SketchQuestion& question);
 nlohmann::ordered_json sketched_motions(const SketchQuestion& question);
 nlohmann::ordered_json sketched_functions(const SketchQuestion& question);
 

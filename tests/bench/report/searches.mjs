@@ -24,7 +24,15 @@ function poses(i) {
 
 const functions = (i) => drawnFunction(random, i, state);
 
-export const DRAWINGS = [["curves", curve], ["poses", poses], ["functions", functions]];
+const sliders = (i) => ({ ...curve(i), closed: i % 2 === 0, slides: true });
+
+// Lines differ by what limits them: all else is a matter of scale.
+function lines(i) {
+  const limits = { class: ["any", "crank-rocker", "double-rocker", "triple-rocker"][i % 4], least: 20 + Math.round(30 * random()), reach: 1.5 + Math.round(25 * random()) / 10 };
+  return { ...state, ...limits, angles: null, straight: true, points: [[-SIZE / 4, 0], [SIZE / 4, SIZE / 10]] };
+}
+
+export const DRAWINGS = [["curves", curve], ["poses", poses], ["functions", functions], ["slider-cranks", sliders], ["lines", lines]];
 
 // The search in the page of a build in the folder `build`.
 export async function searchOf(build) {
@@ -58,7 +66,8 @@ export function byProgram(build, problem) {
   try {
     const result = JSON.parse(execFileSync(path.join(build, "app/cognate"), ["solve", "--json", "--threads", "1", file], { maxBuffer: 1 << 28, stdio: ["ignore", "pipe", "ignore"] }));
     const unit = problem.kind === "function-generation" ? 180 / Math.PI : 1;
-    return { error: unit * result.designs[0].error.rms, seconds: result.work.seconds };
+    const [{ error, metrics }] = result.designs;
+    return { error: problem.kind === "straight-line" ? metrics.deviation : unit * error.rms, seconds: result.work.seconds };
   } catch { return { error: Infinity, seconds: NaN }; } finally { fs.rmSync(folder, { recursive: true }); }
 }
 

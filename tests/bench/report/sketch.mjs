@@ -2,12 +2,13 @@
 // finds by default. Usage: node sketch.mjs BUILD [DRAWINGS [KIND]]
 // BUILD: the folder of the build. Strokes are random sums of three harmonics, half of them open, with the tremor of a
 // hand; poses, six to fifteen, lie on such with a direction that turns; functions are sums of harmonics, and outputs of four-bars
-// with such a tremor. Each is searched for as the page does, and solved by the program on one thread. KIND: one of these alone.
+// with such a tremor; lines have random limits. Each is searched for as the page does, and solved by the program on one thread. KIND: one of
+// curves, poses, functions, slider-cranks and lines alone.
 import { problemOf, startsOf } from "../../../app/report/page/sketch/question.js";
 import { byProgram, DRAWINGS, median, searchOf, timed } from "./searches.mjs";
 
 const [build, drawings = "100", kind] = process.argv.slice(2);
-const NEAR = 1.01, DESIGNS = 8;
+const NEAR = 1.01, DESIGNS = 8, DESIGNS_OF_LINES = 4;
 
 const best = ({ designs = [] }) => Math.min(Infinity, ...designs.map(({ rms }) => rms));
 
@@ -18,7 +19,7 @@ for (const [name, drawing] of DRAWINGS.filter(([one]) => !kind || one === kind))
   for (let i = 0; i < Number(drawings); i += 1) {
     const drawn = drawing(i);
     const found = rounds.map(({ starts, seconds }) => {
-      const { value, seconds: own } = timed(() => solve(problemOf(drawn, { starts, designs: DESIGNS })));
+      const { value, seconds: own } = timed(() => solve(problemOf(drawn, { starts, designs: drawn.straight ? DESIGNS_OF_LINES : DESIGNS })));
       seconds.push(own);
       return best(value);
     });

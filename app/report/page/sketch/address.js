@@ -7,29 +7,38 @@ import { turnsFully } from "./boxes.js";
 import { generatorOf, generatorText } from "./generator_text.js";
 import { areSound } from "./pairs.js";
 import { inTurn } from "./posed.js";
+import { sliderOf, sliderText } from "./slider_text.js";
+
+const PLACES_OF_LINE = 3;
 
 const numbersOf = (text) => text.split(",").map(Number);
 const areFinite = (numbers) => numbers.every(Number.isFinite);
 
 // A design's numbers in the order of the address; its words stand behind them.
-function designText({ mechanism: m, crank_deg: cranks, rms, max, class: name, transmission_acute_min_deg: least, body_angle_deg: body, angle_max_deg: turned }) {
+function designText({ mechanism: m, crank_deg: cranks, rms, max, class: name, transmission_acute_min_deg: least, body_angle_deg: body, angle_max_deg: turned, direction_deg: direction, speed_variation: speed }) {
   const size = Math.max(m.crank, m.coupler, m.rocker);
   const lengths = [...m.fixed_pivots.flat(), m.crank, m.coupler, m.rocker, ...m.coupler_point].map((x) => withoutRounding(x, size));
-  const guided = body === undefined ? [] : [body, turned];
-  return [[...lengths, rms, max, least, ...guided].join(","), m.assembly, name, cranks.map((x) => withoutRounding(x, 360)).join(",")].join(";");
+  const more = body === undefined ? direction === undefined ? [] : [direction, speed] : [body, turned];
+  return [[...lengths, rms, max, least, ...more].join(","), m.assembly, name, cranks.map((x) => withoutRounding(x, 360)).join(",")].join(";");
 }
 
-function designOf(text) {
+function designOf(text, straight) {
   const [numbers, assembly, name, cranks = ""] = text.split(";");
-  const [ax, ay, dx, dy, crank, coupler, rocker, u, v, rms, max, least, body, turned] = numbersOf(numbers);
+  const [ax, ay, dx, dy, crank, coupler, rocker, u, v, rms, max, least, ...more] = numbersOf(numbers);
+  const names = straight ? ["direction_deg", "speed_variation"] : ["body_angle_deg", "angle_max_deg"];
   const entry = { mechanism: { type: "four-bar", fixed_pivots: [[ax, ay], [dx, dy]], crank, coupler, rocker, coupler_point: [u, v], assembly },
-    crank_deg: numbersOf(cranks), rms, max, class: name, transmission_acute_min_deg: least, ...(turned === undefined ? {} : { body_angle_deg: body, angle_max_deg: turned }) };
+    crank_deg: numbersOf(cranks), rms, max, class: name, transmission_acute_min_deg: least, ...(more.length === 2 ? Object.fromEntries(names.map((name, i) => [name, more[i]])) : {}) };
   const isSound = areFinite([...numbersOf(numbers), ...entry.crank_deg, least]) && Math.min(crank, coupler, rocker) > 0;
   return isSound && ["open", "crossed"].includes(assembly) && /^[a-z-]+$/.test(name) ? entry : null;
 }
 
-// Whether a design is one for as many targets, of the same kind; generators are for any pairs.
-const isFor = ({ points, angles }, { crank_deg: cranks, body_angle_deg: body }) => cranks.length === points.length && (body === undefined) === (angles === null);
+// How a design stands in the address, by the kind of its drawing.
+const textOf = ({ ranges, slides }, entry) => (ranges ? generatorText : slides ? sliderText : designText)(entry);
+const entryOf = ({ ranges, slides, straight }, text, rows) => (ranges ? generatorOf(text, rows) : slides ? sliderOf(text) : designOf(text, straight));
+
+// Whether a design is one for as many targets, of the same kind; generators are for any pairs, and a line has three places.
+const isFor = ({ points, angles, straight }, { crank_deg: cranks, body_angle_deg: body, direction_deg: direction }) => cranks.length === (straight ? PLACES_OF_LINE : points.length)
+  && (body === undefined) === (angles === null) && (direction !== undefined) === straight;
 
 // A box in the address, by a letter.
 const boxPart = (letter, box) => (box ? [`${letter}=${box.flat().join(",")}`] : []);
@@ -40,10 +49,11 @@ function boxIn(text = "") {
 }
 
 // What stands behind the # for a state and, perhaps, the entry of a design.
-export function addressOf({ points, angles, ranges, closed, stroke, class: asked, least, reach, region, obstacle }, entry) {
+export function addressOf(state, entry) {
+  const { points, angles, ranges, closed, stroke, slides, straight, class: asked, least, reach, region, obstacle } = state;
   const parts = [...location.hash.slice(1).split("&").filter((part) => LANGUAGES.includes(part)), `p=${points.map((p, i) => [...p, ...(angles ? [angles[i]] : [])].join(",")).join(";")}`,
-    `o=${[closed ? "closed" : "open", stroke ? "stroke" : "points"].join(",")}`, `l=${[asked, least, reach].join(",")}`, ...(ranges ? [`f=${ranges.join(",")}`] : []), ...boxPart("b", region), ...boxPart("c", obstacle)];
-  return `#${[...parts, ...(entry ? [`d=${ranges ? generatorText(entry) : designText(entry)}`] : [])].join("&")}`;
+    `o=${[closed ? "closed" : "open", stroke ? "stroke" : "points", ...(slides ? ["slider"] : straight ? ["line"] : [])].join(",")}`, `l=${[asked, least, reach].join(",")}`, ...(ranges ? [`f=${ranges.join(",")}`] : []), ...boxPart("b", region), ...boxPart("c", obstacle)];
+  return `#${[...parts, ...(entry ? [`d=${textOf(state, entry)}`] : [])].join("&")}`;
 }
 
 // {state, entry} of the address; null where it holds no sketch.
@@ -53,13 +63,15 @@ export function readAddress(classes) {
   const rows = parts.p.split(";").map(numbersOf);
   const width = rows[0].length;
   const [asked, least, reach] = (parts.l ?? "").split(",");
-  const [line, drawn] = (parts.o ?? "").split(",");
+  const [line, drawn, by] = (parts.o ?? "").split(",");
   if (![2, 3].includes(width) || !rows.every((row) => row.length === width && areFinite(row))) return null;
   const ranges = parts.f ? numbersOf(parts.f) : null;
   if (ranges && !(width === 2 && ranges.length === 2 && areFinite(ranges) && areSound(rows, ranges))) return null;
+  const slides = by === "slider" && width === 2 && !ranges;
+  const straight = by === "line" && width === 2 && rows.length <= 2 && !ranges;
   const region = boxIn(parts.b), held = boxIn(parts.c), isArea = held && held[0].every((x, k) => x < held[1][k]);
-  const state = { ranges, region: ranges ? null : region, obstacle: isArea && !ranges && turnsFully({ class: asked }) ? held : null, points: rows.map((row) => row.slice(0, 2)), angles: width === 3 ? rows.map((row) => inTurn(row[2])) : null, closed: line === "closed", stroke: drawn === "stroke", ...(classes.includes(asked) ? { class: asked } : {}),
+  const state = { ranges, slides, straight, region: ranges || straight ? null : region, obstacle: isArea && !ranges && !slides && !straight && turnsFully({ class: asked }) ? held : null, points: rows.map((row) => row.slice(0, 2)), angles: width === 3 ? rows.map((row) => inTurn(row[2])) : null, closed: line === "closed", stroke: drawn === "stroke", ...(classes.includes(asked) && !slides ? { class: asked } : {}),
     ...(Number.isFinite(Number(least)) && least ? { least: Number(least) } : {}), ...(Number(reach) > 0 ? { reach: Number(reach) } : {}) };
-  const entry = parts.d ? (ranges ? generatorOf : designOf)(parts.d, rows) : null;
+  const entry = parts.d ? entryOf(state, parts.d, rows) : null;
   return { state, entry: entry && (ranges || isFor(state, entry)) ? entry : null };
 }

@@ -46,9 +46,10 @@ export class Boxes {
     if (parts) this.on.change(parts); else this.on.resume();
   }
 
-  // Functions have no such limits.
+  // Functions and lines have no such limits, slider-cranks only that of the pivots.
   show() {
-    if (this.on.state().ranges) this.surface.boxes = null;
+    const { ranges, slides, straight } = this.on.state();
+    if (ranges || straight || (slides && this.surface.boxes === "obstacle")) this.surface.boxes = null;
     for (const [name, { put, away }] of Object.entries(BOX_WORDS)) {
       byId(name).textContent = say(this.on.state()[name] ? away : put);
       byId(name).setAttribute("aria-pressed", String(this.surface.boxes === name));

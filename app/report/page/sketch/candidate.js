@@ -3,24 +3,32 @@
 import { RADIANS } from "../sampling.js";
 import { RowLinkage, TURN } from "../study/linkage.js";
 import { boxOf, diagonal } from "../view.js";
+import { SliderLinkage } from "./slider.js";
 
 const SAMPLES = 180;
 const INSIDE = 0.05;   // degrees within the limits of a crank that does not turn fully
 // Of the size of the drawing: two designs are alike; two of the many that meet all targets; smaller errors are rounding.
 const ALIKE = 0.05, ALIKE_IF_MET = 0.3, MET = 1e-9;
 
+const linkageOf = (mechanism, first) => (mechanism.type === "slider-crank" ? new SliderLinkage(mechanism) : new RowLinkage({ ...mechanism, start: first }));
+
 export class Candidate {
-  // `entry`: mechanism, crank_deg at the targets, rms, max, class, transmission_acute_min_deg; where it guides a body also
-  // body_angle_deg, in the coupler, and angle_max_deg, the greatest error.
+  // `entry`: mechanism, a four-bar or a slider-crank, crank_deg at the targets, rms, max, class, transmission_acute_min_deg; where it guides
+  // a body also body_angle_deg, in the coupler, and angle_max_deg, the greatest error; `stray`, how far the curve strays between the targets.
   constructor(entry) {
     const { mechanism, crank_deg: cranks } = entry;
-    const linkage = new RowLinkage({ ...mechanism, start: cranks[0] * RADIANS });
-    Object.assign(this, { entry, linkage, first: cranks[0] * RADIANS, sense: senseOf(cranks) });
+    const first = cranks[0] * RADIANS;
+    Object.assign(this, { entry, linkage: linkageOf(mechanism, first), first, sense: senseOf(cranks) });
     this.poses = Array.from({ length: SAMPLES + 1 }, (_, i) => this.pose((TURN * i) / SAMPLES)).filter(Boolean);
     this.curve = this.poses.map(({ p }) => p);
-    this.places = [...mechanism.fixed_pivots, ...this.poses.flatMap(({ b, c, p }) => [b, c, p])];
+    this.places = [...this.pivots, ...this.poses.flatMap(({ b, c, p }) => [b, c, p])];
     this.size = diagonal(boxOf(this.places));
   }
+
+  // Of a straight line many are about as good.
+  get isStraight() { return this.entry.direction_deg !== undefined; }
+
+  get pivots() { return this.entry.mechanism.fixed_pivots ?? [this.entry.mechanism.pivot]; }
 
   // Where it is at `phase`, 0 to 2π, of its motion: round from the first point in the order of the points, else to and
   // fro between the limits.
@@ -42,13 +50,13 @@ export class Candidate {
     return fullTurn ? [0, 360] : [(from + closure.frameAngle) / RADIANS + INSIDE, (to + closure.frameAngle) / RADIANS - INSIDE];
   }
 
-  get dimensions() { return [...this.entry.mechanism.fixed_pivots.flat(), ...this.linkage.lengths]; }
+  get dimensions() { return [...this.pivots.flat(), ...this.linkage.lengths]; }
 
   // Whether both are the same linkage to the eye, of a drawing of `size`.
   isLike(other, size) {
     const own = this.dimensions;
-    const areMet = [this, other].every(({ entry }) => withoutNoise(entry.rms, size) === 0);
-    return other.dimensions.every((x, i) => Math.abs(x - own[i]) <= (areMet ? ALIKE_IF_MET : ALIKE) * size);
+    const areMany = this.isStraight || [this, other].every(({ entry }) => withoutNoise(entry.rms, size) === 0);
+    return other.dimensions.every((x, i) => Math.abs(x - own[i]) <= (areMany ? ALIKE_IF_MET : ALIKE) * size);
   }
 }
 
@@ -67,10 +75,13 @@ function senseOf(cranks) {
 // An error of a drawing of `size`; 0 where it is rounding.
 export const withoutNoise = (error, size) => (error < MET * size ? 0 : error);
 
+// By what designs are ordered: the worse of the errors at the targets and between them.
+const errorOf = ({ rms, stray = 0 }) => Math.max(rms, stray);
+
 // The best `count` that differ to the eye, best first; `held` is always among them. Of those that meet all targets that is
 // the one with the greatest transmission angle.
 export function differing(candidates, count, size, held) {
-  const error = ({ entry: { rms } }) => withoutNoise(rms, size);
+  const error = ({ entry }) => withoutNoise(errorOf(entry), size);
   const order = (a, b) => error(a) - error(b) || b.entry.transmission_acute_min_deg - a.entry.transmission_acute_min_deg;
   const chosen = held ? [held] : [];
   for (const one of [...candidates].sort(order)) {

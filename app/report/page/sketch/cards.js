@@ -14,9 +14,17 @@ const errorOfDrawing = (error, state) => `${number(withoutNoise(error, drawingSi
 // A root mean square error, also as its share of the drawing's size.
 export const rmsText = (error, state) => `${errorOfDrawing(error, state)} (${percent(withoutNoise(error, drawingSize(state)) / drawingSize(state))})`;
 
+// Of a straight line what the crank turns by over it, and how much the speed along it varies.
+function lineRows({ crank_deg: [from, , to], speed_variation: variation }) {
+  return [["turn", say("sketch.turn_of_crank"), to - from, degrees(to - from, 1)], ["speed", say("sketch.speed_variation"), variation, percent(variation)]];
+}
+
+// Of a slider-crank how far its slider goes.
+const sliderRows = ({ stroke }) => (stroke === undefined ? [] : [["stroke", say("sketch.stroke"), stroke, number(stroke, 3)]]);
+
 // What lengths are to be known of a candidate: of a generator their ratios, else how large it is.
-function sizeRows({ entry, lengths, ratio, size: own }, state) {
-  if (!state.ranges) return [["size", say("sketch.size"), own, `${number(own, 3)} (×${number(own / drawingSize(state), 2)})`]];
+function sizeRows({ entry, linkage, lengths, ratio, size: own }, state) {
+  if (!state.ranges) return [["size", say("sketch.size"), own, `${number(own, 3)} (×${number(own / drawingSize(state), 2)})`], ...sliderRows(linkage)];
   const shortest = Math.min(...lengths), starts = [entry.input_start_deg, entry.output_start_deg];
   return [["ratio", say("sketch.ratio"), ratio, number(ratio, 3)], ["lengths", say("sketch.lengths"), lengths, lengths.map((length) => number(length / shortest, 3)).join(" : ")],
     ["starts", say("sketch.starts"), starts, starts.map((start) => degrees(start, 1)).join(", ")]];
@@ -35,7 +43,8 @@ export class Cards {
     const input = element("input", { type: "radio", name: "design", id: `design-${i}`, value: i });
     input.checked = chosen;
     input.addEventListener("change", () => this.onChoose(i));
-    const rows = [["rms", say("sketch.rms"), entry.rms, rmsText(entry.rms, state)], ["max", say("sketch.max"), entry.max, errorOfDrawing(entry.max, state)],
+    const rows = [["rms", say(state.straight ? "sketch.deviation" : "sketch.rms"), entry.rms, rmsText(entry.rms, state)], ...(state.straight ? lineRows(entry) : [["max", say("sketch.max"), entry.max, errorOfDrawing(entry.max, state)]]),
+      ...(entry.stray > entry.rms ? [["stray", say("sketch.stray"), entry.stray, errorOfDrawing(entry.stray, state)]] : []),
       ...(entry.angle_max_deg === undefined ? [] : [["angle", say("sketch.angle"), entry.angle_max_deg, degrees(entry.angle_max_deg, 2)]]),
       ["least", say("sketch.transmission"), entry.transmission_acute_min_deg, degrees(entry.transmission_acute_min_deg, 1)], ["class", say("sketch.class"), entry.class, sentence(term(entry.class))], ...sizeRows(one, state)];
     return element("label", { class: `design-card sketch-${i}`, for: `design-${i}` }, element("span", { class: "design-name" }, input, say("sketch.design", { name: i + 1 })),

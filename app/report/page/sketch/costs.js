@@ -23,7 +23,7 @@ export const costQuestions = (state) => Object.entries(LIMITS).filter(([, { hold
 // Says what the answer to one of them tells. `error`: the least within all limits.
 export function showCost({ designs = [] }, { limit }, state, error) {
   const without = Math.min(...designs.map(({ rms }) => rms));
-  byId(`cost-of-${limit}`).textContent = without < MATTERS * error ? say("sketch.cost", { error: rmsText(without, state) }) : "";
+  byId(`cost-of-${limit}`).textContent = without < MATTERS * error ? say(state.straight ? "sketch.cost_of_line" : "sketch.cost", { error: rmsText(without, state) }) : "";
 }
 
 export function clearCosts() { for (const limit of Object.keys(LIMITS)) byId(`cost-of-${limit}`).textContent = ""; }

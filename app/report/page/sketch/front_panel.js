@@ -29,7 +29,7 @@ export class FrontPanel {
     const points = this.state && this.front.stands ? this.front.points : [], isPlotted = points.length > 1;
     byId("front-plot").hidden = byId("front-reading").hidden = !isPlotted;
     byId("front-note").textContent = isPlotted ? say(this.front.ended ? "sketch.front_hint" : "sketch.front_going_on") : this.#without(points);
-    this.plot.show({ points: isPlotted ? points : [], chosen: isPlotted && chosen ? this.front.pointOf(chosen) : null, least: this.state?.least, axis: this.state?.ranges ? "sketch.front_error_deg" : "sketch.front_error" });
+    this.plot.show({ points: isPlotted ? points : [], chosen: isPlotted && chosen ? this.front.pointOf(chosen) : null, least: this.state?.least, axis: this.state?.ranges ? "sketch.front_error_deg" : this.state?.straight ? "sketch.front_deviation" : "sketch.front_error" });
     this.#read(this.plot.hinted);
   }
 
@@ -43,7 +43,7 @@ export class FrontPanel {
   #errorOf({ error }) { return rmsText(error, this.front.state); }
 
   #textOf(point) {
-    return say("sketch.front_point", { angle: degrees(point.angle, 1), error: this.#errorOf(point), class: sentence(term(point.candidate.entry.class)) });
+    return say(this.front.state.straight ? "sketch.front_point_of_line" : "sketch.front_point", { angle: degrees(point.angle, 1), error: this.#errorOf(point), class: sentence(term(point.candidate.entry.class)) });
   }
 
   // The values of a point, else of the design chosen.

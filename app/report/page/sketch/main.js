@@ -19,7 +19,7 @@ import { Cards } from "./cards.js";
 import { clearCosts, costQuestions, showCost } from "./costs.js";
 import { FrontPanel } from "./front_panel.js";
 import { modeOf, MODES } from "./modes.js";
-import { CLASSES_ASKED, liveQuestion, questionsOf, drawingSize } from "./question.js";
+import { CLASSES_ASKED, isSlider, liveQuestion, questionsOf, drawingSize } from "./question.js";
 import { SketchScene } from "./scene.js";
 import { Search } from "./search.js";
 import { strokeTargets } from "./stroke.js";
@@ -160,7 +160,7 @@ function settle() {
   shown = steps.present;
   held = dragged = null;
   search?.cancel();
-  if (!isEnough()) askForMore();
+  if (!isEnough()) askForMore(); else if (scene.candidates.some(({ entry }) => isSlider(entry) !== shown.slides)) offer([], 0);
   showState();
   keepAddress();
   solve();
@@ -173,12 +173,15 @@ function askForMore() {
 }
 
 function showState() {
-  const { points, ranges, closed, class: asked, least, reach } = shown, mode = modeOf(shown);
+  const { points, ranges, closed, slides, class: asked, least, reach } = shown, mode = modeOf(shown);
   byId("undo").disabled = !steps.canUndo;
   byId("redo").disabled = !steps.canRedo;
   byId("clear").disabled = points.length === 0;
   byId("closed").setAttribute("aria-pressed", String(closed));
   document.body.dataset.drawing = mode.name;
+  document.body.toggleAttribute("data-sliding", slides);
+  byId("by-four-bar").setAttribute("aria-pressed", String(!slides));
+  byId("by-slider").setAttribute("aria-pressed", String(slides));
   for (const name of Object.keys(MODES)) byId(`of-${name}`).setAttribute("aria-pressed", String(name === mode.name));
   byId("hint").hidden = points.length > 0;
   byId("hint").textContent = say(mode.hint);
@@ -199,7 +202,7 @@ function showTargets() {
 
 function showHandles() {
   const { places, label } = modeOf(shown);
-  surface.show(places(shown), shown.angles, (i) => label(shown, i));
+  surface.show(places(shown), shown.angles, (i) => label(shown, i), shown.straight);
 }
 
 function showLimits(least, reach) {
@@ -231,7 +234,7 @@ function follow(targets) {
   held = null;
   dragged ??= scene.candidates;
   showTargets();
-  solve(true);
+  if (shown.straight) offer(scene.candidates.map(({ entry }) => modeOf(shown).candidate(entry, shown)), scene.chosen); else solve(true);
 }
 
 function drop() {
@@ -257,12 +260,17 @@ const limits = () => ({ class: shown.class, least: shown.least, reach: shown.rea
 // What is drawn from now on; what there was of another kind goes.
 function drawAnother(mode) { if (mode !== modeOf(shown)) change({ ...limits(), ...mode.empty({}) }); }
 
+// Which mechanisms are searched for; limits that the others alone have go.
+function searchFor(slides) { if (slides !== shown.slides && modeOf(shown).canSlide) change(slides ? { slides, class: "any", obstacle: null } : { slides }); }
+
 function listen() {
   byId("undo").addEventListener("click", () => step("undo"));
   byId("redo").addEventListener("click", () => step("redo"));
   byId("clear").addEventListener("click", clear);
   byId("closed").addEventListener("click", toggleClosed);
   for (const [name, mode] of Object.entries(MODES)) byId(`of-${name}`).addEventListener("click", () => drawAnother(mode));
+  byId("by-four-bar").addEventListener("click", () => searchFor(false));
+  byId("by-slider").addEventListener("click", () => searchFor(true));
   byId("class").append(...CLASSES_ASKED.map((name) => element("option", { value: name }, name === "any" ? say("sketch.any_class") : sentence(term(name)))));
   byId("class").addEventListener("change", (event) => change(withClass(event.target.value)));
   for (const id of ["least", "reach"]) {
@@ -274,7 +282,7 @@ function listen() {
   new ResizeObserver(draw).observe(byId("picture"));
   new Zoom(byId("stage"), byId("picture"), () => scene, draw);
   new Saves(byId("stage"), byId("picture"), { title: () => "sketch", go: (share) => goTo(filmed([0, 360, true], share), true), back: () => goTo(0) });
-  new Bringings(byId("stage"), { curve: (line) => change({ ...EMPTY, ...limits(), ...strokeTargets(line), stroke: true }), picture: (picture) => { scene.picture = picture; draw(); }, fault: announce });
+  new Bringings(byId("stage"), { curve: (line) => change({ ...EMPTY, ...limits(), slides: shown.slides, ...strokeTargets(line), stroke: true }), picture: (picture) => { scene.picture = picture; draw(); }, fault: announce });
   addEventListener("hashchange", openAddress);
 }
 
@@ -284,8 +292,9 @@ function listenToKeys() {
   shortcut(["c"], "c", "sketch.close", toggleClosed);
   shortcut(["x"], "x", "sketch.clear_all", clear);
   shortcut(["r"], "r", "sketch.region", () => boxes.toggle("region"));
-  shortcut(["o"], "o", "sketch.obstacle", () => boxes.toggle("obstacle"));
+  shortcut(["o"], "o", "sketch.obstacle", () => { if (!shown.slides) boxes.toggle("obstacle"); });
   shortcut(["p"], "p", "sketch.another_kind", () => drawAnother(modeOf(shown).next()));
+  shortcut(["m"], "m", "sketch.other_mechanism", () => searchFor(!shown.slides));
   shortcut(["1", "2", "3"], "1 2 3", "sketch.choose", (event) => choose(Number(event.key) - 1));
   shortcut(["Enter"], "Enter", "sketch.put");
   shortcut(["Delete"], "Delete", "sketch.remove");

@@ -14,8 +14,9 @@ const KEPT_CLEAR = ["coupler-point", "B", "C"];
 
 // Starts of the searches that follow one another. Fewer are mostly enough for poses, since more is made of each; limits over the
 // whole turn take ten times as long.
-export function startsOf({ angles, ranges, obstacle }) {
+export function startsOf({ angles, ranges, obstacle, straight }) {
   if (ranges) return [16, 128, 512];
+  if (straight) return [5, 40, 160];
   return obstacle ? [15, 60, 250] : [...(angles ? [15] : []), 60, 500, 2500];
 }
 
@@ -23,12 +24,14 @@ const middleOf = (state) => startsOf(state).at(-2);
 // Those of a search while a hand drags, and the designs that it begins with: curves take longer.
 const besideKnown = ({ angles }) => (angles ? 4 : 1);
 const mostKnown = ({ angles, ranges }) => (angles || ranges ? 6 : 4);
-const FOUND = 8;             // designs of a search, of which those are shown that differ
+// Designs of a search, of which those are shown that differ; more is made of each of a line.
+const foundFor = ({ straight }) => (straight ? 4 : 8);
 
 // Of a function the range of its output, in degrees.
 export const drawingSize = ({ points, angles, ranges }) => (ranges ? Math.abs(ranges[1]) : Math.max(angles ? LEAST_SIZE : 0, diagonal(boxOf(points))));
 
 export const short = (x) => Number(x.toPrecision(4));
+const precise = (x) => Number(x.toPrecision(9));
 
 // Where the fixed pivots may stand, low and high corner: as the hand says, or not far from the drawing.
 function pivotsWithin({ points, region, reach }, size) {
@@ -39,15 +42,23 @@ function pivotsWithin({ points, region, reach }, size) {
   return [[short(x - far), short(y - far)], [short(x + far), short(y + far)]];
 }
 
+// Longer links beside short ones are always straighter.
+const RATIO_OF_LINE = 10;
+
 // Those of every kind of drawing.
 const commonLimits = ({ class: asked, least }) => ({ ...(asked === "any" ? {} : { class: asked }), ...(least > 0 ? { transmission_angle_deg: [least, 180 - least] } : {}) });
+
+// Of chains: one box for all pivots.
+const limitsOfChain = ({ least }, length, pivots) => ({ bounds: { length, pivots }, constraints: commonLimits({ class: "any", least }) });
 
 // Links of a generator are as long as one likes: the limit is on the longest by the shortest.
 function limitsOf(state) {
   const { ranges, reach, obstacle } = state;
   if (ranges) return { constraints: { ...commonLimits(state), link_ratio_max: reach } };
-  const size = drawingSize(state), within = pivotsWithin(state, size);
-  return { bounds: { length: [short(SHORTEST * size), short(reach * size)], pivot_a: within, pivot_d: within },
+  if (state.straight) return { constraints: { ...commonLimits(state), size_over_length_max: reach, link_ratio_max: RATIO_OF_LINE } };
+  const size = drawingSize(state), within = pivotsWithin(state, size), length = [short(SHORTEST * size), short(reach * size)];
+  if (state.slides) return limitsOfChain(state, length, within);
+  return { bounds: { length, pivot_a: within, pivot_d: within },
     constraints: { ...commonLimits(state), ...(obstacle ? { clearance: KEPT_CLEAR.map((point) => ({ point, outside: obstacle })) } : {}) } };
 }
 
@@ -63,12 +74,18 @@ function weightOf(points) {
 const guiding = (points, angles) => ({ kind: "motion-generation",
   target: { ...(points.length > 2 ? { method: "least-squares", ...weightOf(points) } : {}), poses: points.map((p, i) => [...p, angles[i]]) }, mechanism: { dyads: ["RR"] } });
 
+const ruling = ([p, q]) => ({ kind: "straight-line", target: { length: precise(Math.hypot(q[0] - p[0], q[1] - p[1])), direction_deg: precise(Math.atan2(q[1] - p[1], q[0] - p[0]) * 180 / Math.PI) } });
+
+const bySlider = (points, closed) => ({ kind: "path-generation", target: { points, timing: "free", closed }, mechanism: { type: "slider-crank" } });
+
 const tracing = (points) => ({ kind: "path-generation", target: { points, timing: "free", order: "cyclic" } });
 
 const generating = (pairs) => ({ kind: "function-generation", target: { pairs_deg: pairs } });
 
-function targetsOf({ points, angles, ranges }) {
+function targetsOf({ points, angles, ranges, closed, slides, straight }) {
   if (ranges) return generating(points);
+  if (straight) return ruling(points);
+  if (slides) return bySlider(points, closed);
   return angles ? guiding(points, angles) : tracing(points);
 }
 
@@ -78,29 +95,34 @@ export const problemOf = (state, solve) => ({ ...targetsOf(state), ...limitsOf(s
 // A design as the search takes it up: see read_known and read_generators in the kernel.
 const asKnown = ({ mechanism: m, crank_deg: cranks, body_angle_deg: body = 0 }) =>
   [...m.fixed_pivots.flat(), m.crank, m.coupler, m.rocker, ...m.coupler_point, m.assembly === "open" ? 1 : 0, body, ...cranks];
+const asKnownSlider = ({ mechanism: m, crank_deg: cranks }) =>
+  [...m.pivot, m.crank, m.direction_deg, m.offset, m.coupler, ...m.coupler_point, m.assembly === "open" ? 1 : 0, ...cranks];
 const asKnownGenerator = ({ mechanism: m, input_start_deg: input, output_start_deg: output }) =>
   [m.crank, m.coupler, m.rocker, Math.hypot(...m.fixed_pivots[1].map((x, k) => x - m.fixed_pivots[0][k])), m.assembly === "open" ? 1 : 0, input, output];
 
-// The designs shown that were found for targets of the same kind and, but for functions, as many.
-function knownOf({ points, ranges }, candidates) {
-  const entries = candidates.map(({ entry }) => entry).filter((entry) => (entry.input_start_deg !== undefined) === Boolean(ranges));
-  return ranges ? entries.map(asKnownGenerator) : entries.filter(({ crank_deg: cranks }) => cranks.length === points.length).map(asKnown);
+export const isSlider = ({ mechanism }) => mechanism.type === "slider-crank";
+
+// The designs shown that are mechanisms of the same kind for targets of the same kind and, but for functions, as many.
+function knownOf({ points, ranges, slides, straight }, candidates) {
+  const entries = candidates.map(({ entry }) => entry).filter((entry) => (entry.input_start_deg !== undefined) === Boolean(ranges) && isSlider(entry) === Boolean(slides) && (entry.direction_deg !== undefined) === Boolean(straight));
+  if (straight) return entries.map(asKnown);
+  return ranges ? entries.map(asKnownGenerator) : entries.filter(({ crank_deg: cranks }) => cranks.length === points.length).map(slides ? asKnownSlider : asKnown);
 }
 
 // The question while a hand still drags: from designs that were shown, if there are any.
 export function liveQuestion(state, candidates) {
   const known = knownOf(state, candidates).slice(0, mostKnown(state));
-  return { problem: problemOf(state, { starts: known.length ? besideKnown(state) : startsOf(state)[0], designs: FOUND }), known, live: true, first: true, last: true };
+  return { problem: problemOf(state, { starts: known.length ? besideKnown(state) : startsOf(state)[0], designs: foundFor(state) }), known, live: true, first: true, last: true };
 }
 
 // The question from designs that were found for other limits: of a search of middle length, or of as good as none besides.
-export const questionFrom = (state, candidates, fresh) => ({ problem: problemOf(state, { starts: fresh ? middleOf(state) : besideKnown(state), designs: FOUND }), known: knownOf(state, candidates) });
+export const questionFrom = (state, candidates, fresh) => ({ problem: problemOf(state, { starts: fresh ? middleOf(state) : besideKnown(state), designs: foundFor(state) }), known: knownOf(state, candidates) });
 
 // One question, of a search of middle length.
-export const questionFor = (state) => ({ problem: problemOf(state, { starts: middleOf(state), designs: FOUND }) });
+export const questionFor = (state) => ({ problem: problemOf(state, { starts: middleOf(state), designs: foundFor(state) }) });
 
 // The questions for a drawing at rest.
 export function questionsOf(state, candidates) {
   const rounds = startsOf(state);
-  return rounds.map((starts, i) => ({ problem: problemOf(state, { starts, designs: FOUND }), known: i ? [] : knownOf(state, candidates), first: i === 0, last: i === rounds.length - 1 }));
+  return rounds.map((starts, i) => ({ problem: problemOf(state, { starts, designs: foundFor(state) }), known: i ? [] : knownOf(state, candidates), first: i === 0, last: i === rounds.length - 1 }));
 }

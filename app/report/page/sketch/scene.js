@@ -2,7 +2,8 @@
 
 import { set, svg } from "../dom.js";
 import { Picture } from "../picture.js";
-import { barPath, groundSign, pathThrough, round, sectorPath } from "../shapes.js";
+import { RADIANS } from "../sampling.js";
+import { barPath, blockPath, groundSign, guideSign, pathThrough, round, sectorPath } from "../shapes.js";
 import { diagramAxes, DIAGRAM_MARGIN, errorStrip } from "./diagram.js";
 import { modeOf } from "./modes.js";
 import { along, axesPath } from "./posed.js";
@@ -11,6 +12,7 @@ import { along, axesPath } from "./posed.js";
 export const SHEET = { x0: -60, y0: -42, x1: 60, y1: 42 };
 
 const PLATE = 5;
+const BLOCK = { length: 26, height: 15 };
 const BEHIND = 225;   // degrees from the first axis of a pose, opposite to both: there its number stands
 
 export class SketchScene extends Picture {
@@ -58,13 +60,19 @@ export class SketchScene extends Picture {
     return { root, links };
   }
 
-  #linkage({ curve, linkage: { closure }, sectors = [] }, line) {
+  // What a slider runs on; nothing of a four-bar.
+  #guides({ guide = [] }) {
+    return guide.length ? [guideSign(...guide.map((place) => this.view.screen(place)), BLOCK.height / 2, BLOCK.length / 2 + 4)] : [];
+  }
+
+  #linkage({ curve, linkage, sectors = [] }, line) {
+    const { closure } = linkage, grounds = [closure.a, closure.d].filter(Boolean);
     const bars = ["crank", "coupler", "rocker"].map((name) => svg("path", { class: `link-body ${name}`, style: "fill: var(--tint)" }));
-    const pins = ["A", "B", "C", "D"].map((name) => svg("circle", { class: "pin", r: 4, "data-pin": name }));
+    const pins = ["A", "B", "C", ...(closure.d ? ["D"] : [])].map((name) => svg("circle", { class: "pin", r: 4, "data-pin": name }));
     const point = svg("circle", { class: "coupler-point", r: 5, id: "tracing" });
     const body = svg("path", { class: "sketch-axes reached", id: "body" });
     const turned = sectors.map(({ at, radius, from, to }) => svg("path", { class: "diagram-sector", d: sectorPath(this.view.screen(at), radius * this.view.scale, from, to) }));
-    const root = svg("g", { id: "linkage" }, ...turned, svg("path", { class: "path", id: "curve", d: line(curve) }), ...[closure.a, closure.d].map((p) => groundSign(this.view.screen(p))), ...bars, ...pins, body, point);
+    const root = svg("g", { id: "linkage" }, ...turned, svg("path", { class: "path", id: "curve", d: line(curve) }), ...grounds.map((p) => groundSign(this.view.screen(p))), ...this.#guides(linkage), ...bars, ...pins, body, point);
     return { root, bars, pins, point, body };
   }
 
@@ -99,11 +107,11 @@ export class SketchScene extends Picture {
   }
 
   // Its joints and its point on the screen; none where it does not close.
-  #joints({ linkage: { closure } }, pose) { return pose ? [closure.a, pose.b, pose.c, closure.d, pose.p].map((place) => this.view.screen(place)) : null; }
+  #joints({ linkage: { closure } }, pose) { return pose ? [closure.a, pose.b, pose.c, closure.d, pose.p].map((place) => place && this.view.screen(place)) : null; }
 
   #moveGhost({ links }, one) {
     const [a, b, c, d, p] = this.#joints(one, one.pose(this.phase)) ?? [];
-    set(links, { d: a ? `${pathThrough([a, b, c, d])}${one.tracesFunction ? "" : pathThrough([b, p, c])}` : "" });
+    set(links, { d: a ? `${pathThrough([a, b, c, d].filter(Boolean))}${one.tracesFunction ? "" : pathThrough([b, p, c])}` : "" });
   }
 
   #moveLinkage(one) {
@@ -112,12 +120,18 @@ export class SketchScene extends Picture {
     if (pose) this.#place(one, ...this.#joints(one, pose), one.bodyAngle(pose));
   }
 
-  #place({ tracesFunction }, a, b, c, d, p, turned) {
+  // The link that turns about D, or the slider.
+  #lastLink({ linkage: { along } }, c, d) {
+    return d ? { d: barPath(d, c, PLATE) } : { d: blockPath(BLOCK.length, BLOCK.height), transform: `translate(${c.map(round).join(" ")}) rotate(${round(-Math.atan2(along[1], along[0]) / RADIANS)})` };
+  }
+
+  #place(one, a, b, c, d, p, turned) {
+    const { tracesFunction } = one;
     const { bars: [crank, coupler, rocker], pins, point, body } = this.parts;
     set(crank, { d: barPath(a, b, PLATE) });
     set(coupler, { d: `${barPath(b, c, PLATE)}${tracesFunction ? "" : barPath(b, p, PLATE - 1) + barPath(c, p, PLATE - 1)}` });
-    set(rocker, { d: barPath(d, c, PLATE) });
-    [a, b, c, d].forEach(([x, y], i) => set(pins[i], { cx: round(x), cy: round(y) }));
+    set(rocker, this.#lastLink(one, c, d));
+    [a, b, c, d].filter(Boolean).forEach(([x, y], i) => set(pins[i], { cx: round(x), cy: round(y) }));
     set(point, { cx: round(p[0]), cy: round(p[1]) });
     set(body, { d: turned === null ? "" : axesPath(p, turned) });
   }

@@ -50,7 +50,7 @@ export class Surface {
 
   #inkPath(from, to) {
     if (this.boxes) return `${pathThrough([from, [to[0], from[1]], to, [from[0], to[1]]])}Z`;
-    return pathThrough(this.posed ? [from, to] : this.stroke);
+    return pathThrough(this.ruled ? [from, to] : this.stroke);
   }
 
   #stop() {
@@ -91,11 +91,12 @@ export class Surface {
     return event.key === "Delete" || step !== undefined;
   }
 
-  // The handles at the targets of the sketch; `angles`: those of its poses, where it has such; `label(i)` says what each is.
-  show(points, angles, label) {
+  // The handles at the targets of the sketch; `angles`: those of its poses, where it has such; `label(i)` says what each is;
+  // `straight`: strokes are.
+  show(points, angles, label, straight) {
     const { width, height } = this.view();
     set(this.root, { viewBox: `0 0 ${width} ${height}` });
-    Object.assign(this, { places: points, posed: angles !== null });
+    Object.assign(this, { places: points, ruled: straight || angles !== null });
     this.turners.show(points, angles ?? []);
     arrange(this.handles, this.holder, points.map((point) => this.view().screen(point)), (i) => this.#handle(i),
       (i) => ({ "aria-label": label(i) }));

@@ -11,8 +11,15 @@ import { problemOf, short } from "./question.js";
 const FILE_STARTS = 500;
 const FILE_DESIGNS = 3;
 
+// The mechanism of an analysis; the point on a slider-crank's rod is a table of its own.
+function partsOf(mechanism) {
+  if (mechanism.type !== "slider-crank") return { mechanism: tableWithoutRounding(mechanism) };
+  const { coupler_point: at, ...dimensions } = tableWithoutRounding(mechanism);
+  return { mechanism: dimensions, point: [{ name: "P", on: "coupler", at }] };
+}
+
 // The analysis of a candidate over its whole motion.
-const analysisOf = ({ entry: { mechanism }, range: [from, to] }) => ({ kind: "analysis", mechanism: tableWithoutRounding(mechanism),
+const analysisOf = ({ entry: { mechanism }, range: [from, to] }) => ({ kind: "analysis", ...partsOf(mechanism),
   drive: { start_deg: short(from), end_deg: short(to), steps: 360 } });
 
 export class Takings {
