@@ -13,6 +13,8 @@
 namespace cognate {
 namespace {
 
+using namespace test;
+
 constexpr int kPositions = 64, kMechanisms = 16;
 
 /// Drives all round a range in no order that could be learned by heart.

@@ -9,7 +9,7 @@
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 
-namespace cognate {
+namespace cognate::test {
 
 inline constexpr int kPlate = 5, kCrankOfDyads = 5, kPlateOfDyads = 2;
 
@@ -90,4 +90,4 @@ class Chance {
   std::mt19937 engine_;
 };
 
-}  // namespace cognate
+}  // namespace cognate::test

@@ -16,8 +16,10 @@
 #include "analysis/numbers/zeros.hpp"
 #include "tests/support/three_pin_links.hpp"
 
-namespace cognate {
+namespace cognate::group_test {
 namespace {
+
+using namespace test;
 
 /// Crank angle and a point of the plate, by the mechanism of dyads.
 class ByDyads {
@@ -281,4 +283,4 @@ TEST(ThreePinLink, StandsWhereTheMotionOfItsGroupLeads) {
 }
 
 }  // namespace
-}  // namespace cognate
+}  // namespace cognate::group_test
