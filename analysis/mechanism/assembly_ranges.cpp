@@ -197,7 +197,7 @@ class Follower {
     for (const double drawn : drawn_positions(group, run)) {
       if (drawn < end) continue;
       auto track = track_group({mechanism_, run, assembly_ranges_.scale}, dyad, drawn, stop_);
-      if (!track) continue;
+      if (!track || track->from() < end) continue;
       end = track->to();
       add_tracked(run, dyad, std::move(*track), runs);
     }
@@ -301,6 +301,22 @@ std::vector<double> sides_at(const AssemblyRange& run, double drive) {
   std::vector<double> sides(run.sides.size());
   sides_at(run, drive, sides);
   return sides;
+}
+
+bool groups_stand_alike(const Mechanism<double>& mechanism, const AssemblyRange& a, double at_a,
+                        const AssemblyRange& b, double at_b) {
+  constexpr double kAlike = 1e-5;  // two assemblies are farther apart than this
+  std::vector<BodyMotion<double, 0>> first(static_cast<std::size_t>(body_count(mechanism)));
+  std::vector<BodyMotion<double, 0>> second = first;
+  place_groups(a, at_a, std::span(first));
+  place_groups(b, at_b, std::span(second));
+  double size = 0, apart = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    size = std::max(size, norm(first[i].origin[0]));
+    apart = std::max(apart, norm(first[i].origin[0] - second[i].origin[0]));
+    if (norm(first[i].direction - second[i].direction) > kAlike) return false;
+  }
+  return apart <= kAlike * size;
 }
 
 int AssemblyRanges::cells(const AssemblyRange& run) const {

@@ -70,6 +70,12 @@ void place_groups(const AssemblyRange& run, double drive, std::span<BodyMotion<T
   for (const auto& track : run.tracks) track->place(drive, bodies);
 }
 
+/// Whether the groups of `mechanism` stand with the drive at `at_a` in `a` as at `at_b` in `b`: a
+/// crank that comes round may find a group in another assembly, and turn on. Always where there are
+/// none.
+bool groups_stand_alike(const Mechanism<double>& mechanism, const AssemblyRange& a, double at_a,
+                        const AssemblyRange& b, double at_b);
+
 /// The motion from `start` to `end` of the drive (`end` may be the less): with the described
 /// assemblies at `start`, and through change points smoothly. Beyond a gap the dyads that could not
 /// be assembled in it are as described again; a group has the one range that holds the position in

@@ -16,6 +16,8 @@ namespace {
 constexpr double kSameRange = 1e-6;
 /// Of a whole turn: farther than rounding moves a dead point.
 constexpr double kBefore = 1e-11;
+/// A crank that turns on and on has been everywhere before: a group has no more assemblies.
+constexpr int kMostTurns = 6;
 /// No circuit of a mechanism worth following has more branches.
 constexpr int kMostBranches = 64;
 
@@ -38,33 +40,13 @@ struct Branch {
   const AssemblyRange& run() const { return assembly_ranges.runs.front(); }
 };
 
-using GroupPlaces = std::vector<BodyMotion<double, 0>>;
-
-/// Where the groups of a mechanism stand at an end of `run`; bodies of none stand at the origin.
-GroupPlaces group_places(const Mechanism<double>& mechanism, const AssemblyRange& run, double end) {
-  GroupPlaces bodies(static_cast<std::size_t>(body_count(mechanism)));
-  place_groups(run, end, std::span(bodies));
-  return bodies;
-}
-
-/// Whether bodies stand at the same places. Two assemblies are farther apart than this.
-bool are_same(const GroupPlaces& a, const GroupPlaces& b) {
-  constexpr double kSamePlace = 1e-5;
-  double size = 0, apart = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    size = std::max(size, norm(a[i].origin[0]));
-    apart = std::max(apart, norm(a[i].origin[0] - b[i].origin[0]));
-    if (norm(a[i].direction - b[i].direction) > kSamePlace) return false;
-  }
-  return apart <= kSamePlace * size;
-}
-
 /// Draws the groups of a mechanism where they stand at the end of a branch, `at_from` or at the
 /// greater drive; one at its dead point on the other side of that. False where that is not known.
 bool redraw_groups(Mechanism<double>& mechanism, const AssemblyRange& run, bool at_from,
                    int dead_dyad) {
   const double end = at_from ? run.from : run.to;
-  const auto bodies = group_places(mechanism, run, end);
+  std::vector<BodyMotion<double, 0>> bodies(static_cast<std::size_t>(body_count(mechanism)));
+  place_groups(run, end, std::span(bodies));
   auto track = run.tracks.begin();
   for (int i = 0; i < static_cast<int>(mechanism.dyads.size()); ++i) {
     auto* group = std::get_if<Group>(&mechanism.dyads[static_cast<std::size_t>(i)]);
@@ -100,7 +82,7 @@ class Circuit {
 
   /// Farther than a driving slider can go.
   double reach(double drive) const {
-    if (turns()) return kTurn;
+    if (turns()) return has_groups(mechanism_) ? kMostTurns * kTurn : kTurn;
     MechanismMotion<0> motion(mechanism_);
     double size = 0;
     if (!motion.move_to(drive)) return size;
@@ -137,8 +119,15 @@ class Circuit {
   std::optional<CircuitRange> over_turns(double start, const std::vector<double>& sides) {
     set_sides(mechanism_, sides);
     AssemblyRanges assembly_ranges = follow(mechanism_, start, start + kTurn, stop_);
-    if (!assembly_ranges.points.empty())
-      assembly_ranges = follow(mechanism_, start, start + 2 * kTurn, stop_);
+    const auto goes_on = [&] {
+      const AssemblyRange& run = assembly_ranges.runs.front();
+      return !groups_stand_alike(mechanism_, run, run.from, run, run.to);
+    };
+    for (int turns = 2; turns <= kMostTurns && !assembly_ranges.runs.empty(); ++turns) {
+      const bool is_whole = assembly_ranges.points.empty() && !goes_on();
+      if (is_whole || (turns > 2 && !has_groups(mechanism_))) break;
+      assembly_ranges = follow(mechanism_, start, start + turns * kTurn, stop_);
+    }
     const auto range = output_range(mechanism_, assembly_ranges, travel_);
     if (!range) return std::nullopt;
     return result(range->stroke());
@@ -153,7 +142,6 @@ class Circuit {
   std::optional<CircuitRange> round(const Branch& first) {
     const double start = first.end;
     const std::vector<double> first_sides = sides_at(first.run(), start);
-    const auto first_places = group_places(mechanism_, first.run(), start);
     std::vector<double> sides = first_sides;
     double place = start, value = 0, least = 0, greatest = 0;
     for (int i = 0, sense = 1; i < kMostBranches; ++i, sense = -sense) {
@@ -169,10 +157,11 @@ class Circuit {
       sides = sides_at(next->run(), next->end);
       const auto dead = static_cast<std::size_t>(next->dyad);
       if (!std::holds_alternative<Group>(mechanism_.dyads[dead])) sides[dead] = -sides[dead];
-      const auto places = group_places(mechanism_, next->run(), next->end);
+      const bool is_alike =
+          groups_stand_alike(mechanism_, next->run(), next->end, first.run(), start);
       if (!redraw_groups(mechanism_, next->run(), sense < 0, next->dyad)) return std::nullopt;
       place = next->end;
-      const bool is_back = sense < 0 && sides == first_sides && are_same(places, first_places);
+      const bool is_back = sense < 0 && sides == first_sides && is_alike;
       if (is_back && std::abs(place - start) <= kSameRange * scale_) {
         const bool came_round = !travel_.slides && std::abs(value) > 1;
         return came_round ? CircuitRange{kTurn, true} : result(greatest - least);

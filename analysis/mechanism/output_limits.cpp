@@ -270,8 +270,11 @@ std::optional<double> time_ratio(const Mechanism<double>& mechanism,
   const bool is_whole =
       assembly_ranges.runs.size() == 1 && assembly_ranges.points.empty() &&
       std::abs(assembly_ranges.end - assembly_ranges.start) >= kTurn * (1 - 1e-12);
-  if (!turns || !is_whole || !is_limit(output.limits, output.least) ||
-      !is_limit(output.limits, output.greatest)) {
+  const auto comes_round = [&](const AssemblyRange& run) {
+    return groups_stand_alike(mechanism, run, run.from, run, run.from + kTurn);
+  };
+  if (!turns || !is_whole || !comes_round(assembly_ranges.runs[0]) ||
+      !is_limit(output.limits, output.least) || !is_limit(output.limits, output.greatest)) {
     return std::nullopt;
   }
   const double advance = in_one_turn(output.greatest.drive - output.least.drive);

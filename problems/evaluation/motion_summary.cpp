@@ -272,8 +272,11 @@ class Summary {
   bool is_circuit() const {
     const bool turns = !driven_by_length(mechanism_.drive);
     const double driven = std::abs(assembly_ranges_.end - assembly_ranges_.start);
-    return turns && driven >= kFullTurn && assembly_ranges_.runs.size() == 1 &&
-           assembly_ranges_.points.empty();
+    const bool is_whole = turns && driven >= kFullTurn && assembly_ranges_.runs.size() == 1 &&
+                          assembly_ranges_.points.empty();
+    if (!is_whole) return false;
+    const AssemblyRange& run = assembly_ranges_.runs.front();
+    return groups_stand_alike(mechanism_, run, run.from, run, run.from + kTurn);
   }
 
   std::optional<double> circuit_stroke() const {

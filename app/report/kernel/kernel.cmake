@@ -178,6 +178,7 @@ set(mechanism_evaluator
   analysis/mechanism/kinematics.cpp
   analysis/mechanism/output_limits.cpp
   analysis/mechanism/sliding_pairs.cpp
+  analysis/mechanism/three_pin_link.cpp
   analysis/mechanism/travel.cpp
   analysis/numbers/convex_hull.cpp
   app/drawing/mechanism_poses.cpp
