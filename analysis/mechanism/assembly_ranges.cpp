@@ -175,32 +175,37 @@ class Follower {
     }
   }
 
-  /// Where in `run` the drive is as while `group` is drawn, in every turn.
+  /// Where in `run` the drive is as while `group` is drawn, in every turn, the nearest to the start
+  /// first.
   std::vector<double> drawn_positions(const Group& group, const AssemblyRange& run) const {
-    std::vector<double> all;
     const double drawn = drawn_position(group);
-    if (driven_by_length(mechanism_.drive)) {
-      if (run.from <= drawn && drawn <= run.to) all.push_back(drawn);
-      return all;
-    }
-    for (double turn = std::ceil((run.from - drawn) / kTurn);; ++turn) {
-      if (drawn + turn * kTurn > run.to) return all;
-      all.push_back(drawn + turn * kTurn);
-    }
+    const double turn = driven_by_length(mechanism_.drive) ? HUGE_VAL : kTurn;
+    std::vector<double> all{drawn};
+    for (double at = drawn + turn; at <= run.to; at += turn) all.push_back(at);
+    for (double at = drawn - turn; at >= run.from; at -= turn) all.push_back(at);
+    std::erase_if(all, [&](double at) { return at < run.from || at > run.to; });
+    return all;
   }
 
   /// Adds the parts of `run` along which the group at `dyad` can be followed from where it is
-  /// drawn.
+  /// drawn. A range of more than a turn holds other places of the group in the turn after, and is
+  /// not cut short by another.
   void cut_group(const AssemblyRange& run, int dyad, const Group& group,
                  std::vector<AssemblyRange>& runs) {
-    double end = run.from;
+    std::vector<GroupTrack> tracks;
     for (const double drawn : drawn_positions(group, run)) {
-      if (drawn < end) continue;
+      const auto holds = [&](const GroupTrack& other) {
+        return other.from() <= drawn && drawn <= other.to();
+      };
+      if (std::ranges::any_of(tracks, holds)) continue;
       auto track = track_group({mechanism_, run, assembly_ranges_.scale}, dyad, drawn, stop_);
-      if (!track || track->from() < end) continue;
-      end = track->to();
-      add_tracked(run, dyad, std::move(*track), runs);
+      const auto overlaps = [&](const GroupTrack& other) {
+        return track->from() < other.to() && other.from() < track->to();
+      };
+      if (track && std::ranges::none_of(tracks, overlaps)) tracks.push_back(std::move(*track));
     }
+    std::ranges::sort(tracks, {}, &GroupTrack::from);
+    for (GroupTrack& track : tracks) add_tracked(run, dyad, std::move(track), runs);
   }
 
   /// Adds the part of `run` along which the group at `dyad` is followed.

@@ -18,6 +18,8 @@ constexpr double kSameRange = 1e-6;
 constexpr double kBefore = 1e-11;
 /// A crank that turns on and on has been everywhere before: a group has no more assemblies.
 constexpr int kMostTurns = 6;
+/// Of the way to a dead point.
+constexpr double kNearEnd = 1e-2;
 /// No circuit of a mechanism worth following has more branches.
 constexpr int kMostBranches = 64;
 
@@ -40,27 +42,30 @@ struct Branch {
   const AssemblyRange& run() const { return assembly_ranges.runs.front(); }
 };
 
-/// Draws the groups of a mechanism where they stand at the end of a branch, `at_from` or at the
-/// greater drive; one at its dead point on the other side of that. False where that is not known.
-bool redraw_groups(Mechanism<double>& mechanism, const AssemblyRange& run, bool at_from,
-                   int dead_dyad) {
-  const double end = at_from ? run.from : run.to;
+/// Draws the groups of a mechanism where they stand in `run`.
+void draw_groups(Mechanism<double>& mechanism, const AssemblyRange& run, double drive) {
   std::vector<BodyMotion<double, 0>> bodies(static_cast<std::size_t>(body_count(mechanism)));
-  place_groups(run, end, std::span(bodies));
-  auto track = run.tracks.begin();
+  place_groups(run, drive, std::span(bodies));
   for (int i = 0; i < static_cast<int>(mechanism.dyads.size()); ++i) {
     auto* group = std::get_if<Group>(&mechanism.dyads[static_cast<std::size_t>(i)]);
     if (!group) continue;
-    const auto& beyond = (*track++)->beyond()[at_from ? 0 : 1];
-    if (i == dead_dyad && !beyond) return false;
-    group->drive = i == dead_dyad ? beyond->drive : end;
-    const auto first = static_cast<std::size_t>(first_body(mechanism, i));
-    for (std::size_t k = 0; k < group->drawn.size(); ++k) {
-      const auto& body = bodies[first + k];
-      group->drawn[k] =
-          i == dead_dyad ? beyond->bodies[k] : Placement{body.origin[0], body.direction};
-    }
+    group->drive = drive;
+    auto body = bodies.begin() + first_body(mechanism, i);
+    for (Placement& drawn : group->drawn) drawn = {body->origin[0], (body++)->direction};
   }
+}
+
+/// Draws the group at `dyad` on the other side of its dead point, which ends `run` at its lesser or
+/// greater end. False where that is not known.
+bool draw_beyond(Mechanism<double>& mechanism, const AssemblyRange& run, int dyad, bool at_from) {
+  const auto count =
+      std::count_if(mechanism.dyads.begin(), mechanism.dyads.begin() + dyad,
+                    [](const Dyad<double>& other) { return std::holds_alternative<Group>(other); });
+  const auto& beyond = run.tracks[static_cast<std::size_t>(count)]->beyond()[at_from ? 0 : 1];
+  if (!beyond) return false;
+  Group& group = std::get<Group>(mechanism.dyads[static_cast<std::size_t>(dyad)]);
+  group.drive = beyond->drive;
+  group.drawn = beyond->bodies;
   return true;
 }
 
@@ -74,6 +79,8 @@ class Circuit {
     const auto back = branch(drive, -1, sides);
     if (!back) return std::nullopt;
     if (back->dyad < 0) return over_turns(drive, sides);
+    // Near the end, so that they are drawn in the turn in which the way back begins.
+    draw_groups(mechanism_, back->run(), std::lerp(back->end, drive, kNearEnd));
     return round(*back);
   }
 
@@ -82,7 +89,7 @@ class Circuit {
 
   /// Farther than a driving slider can go.
   double reach(double drive) const {
-    if (turns()) return has_groups(mechanism_) ? kMostTurns * kTurn : kTurn;
+    if (turns()) return kTurn;
     MechanismMotion<0> motion(mechanism_);
     double size = 0;
     if (!motion.move_to(drive)) return size;
@@ -96,9 +103,18 @@ class Circuit {
     set_sides(mechanism_, sides);
     if (reach_ == 0) reach_ = reach(start);
     if (!(reach_ > 0)) return std::nullopt;
+    auto found = branch_within(start, sense * reach_);
+    if (!found || found->dyad >= 0) return found;
+    const AssemblyRange& run = found->run();
+    const bool is_round = groups_stand_alike(mechanism_, run, run.from, run, run.to);
+    return is_round ? found : branch_within(start, sense * kMostTurns * reach_);
+  }
+
+  std::optional<Branch> branch_within(double start, double way) {
+    const int sense = way > 0 ? 1 : -1;
     // A little before the start, so that the dead point there ends the run, regardless of rounding.
-    const double before = start - sense * kBefore * reach_;
-    Branch branch{follow(mechanism_, before, start + sense * reach_, stop_)};
+    const double before = start - kBefore * way;
+    Branch branch{follow(mechanism_, before, start + way, stop_)};
     if (branch.assembly_ranges.runs.empty() || (stop_ && stop_())) return std::nullopt;
     const auto distance = [&](const AssemblyRange& run) {
       return std::abs((sense > 0 ? run.from : run.to) - start);
@@ -156,13 +172,18 @@ class Circuit {
       value += exit.value - entry.value;
       sides = sides_at(next->run(), next->end);
       const auto dead = static_cast<std::size_t>(next->dyad);
-      if (!std::holds_alternative<Group>(mechanism_.dyads[dead])) sides[dead] = -sides[dead];
+      const bool is_group = std::holds_alternative<Group>(mechanism_.dyads[dead]);
+      if (!is_group) sides[dead] = -sides[dead];
       const bool is_alike =
           groups_stand_alike(mechanism_, next->run(), next->end, first.run(), start);
-      if (!redraw_groups(mechanism_, next->run(), sense < 0, next->dyad)) return std::nullopt;
+      draw_groups(mechanism_, next->run(), next->end);
+      if (is_group && !draw_beyond(mechanism_, next->run(), next->dyad, sense < 0)) {
+        return std::nullopt;
+      }
       place = next->end;
       const bool is_back = sense < 0 && sides == first_sides && is_alike;
-      if (is_back && std::abs(place - start) <= kSameRange * scale_) {
+      const double apart = turns() ? std::remainder(place - start, kTurn) : place - start;
+      if (is_back && std::abs(apart) <= kSameRange * scale_) {
         const bool came_round = !travel_.slides && std::abs(value) > 1;
         return came_round ? CircuitRange{kTurn, true} : result(greatest - least);
       }
@@ -187,7 +208,9 @@ std::optional<CircuitRange> circuit_range(const Mechanism<double>& mechanism,
     return std::abs(change.drive - drive) <= kSameRange * (run.to - run.from);
   };
   if (std::ranges::any_of(run.changes, is_change)) drive = run.from + (run.to - run.from) * 0.382;
-  return Circuit(mechanism, travel, stop).from(drive, sides_at(run, drive));
+  Mechanism<double> drawn = mechanism;
+  draw_groups(drawn, run, drive);
+  return Circuit(std::move(drawn), travel, stop).from(drive, sides_at(run, drive));
 }
 
 }  // namespace cognate
