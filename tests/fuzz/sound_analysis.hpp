@@ -25,8 +25,18 @@ inline bool hangs_on_bodies_before(const Dyad<double>& dyad, int first) {
     bool operator()(const Prp<double>& d) const { return check(d.first, d.second); }
     bool operator()(const Rpp<double>& d) const { return check(d.point, d.guide); }
     bool operator()(const Cylinder<double>& d) const { return check(d.base, d.pivot); }
+    bool operator()(const Group& group) const {
+      const auto bodies = static_cast<int>(group.drawn.size());
+      return std::ranges::all_of(group.joints, [&](const GroupJoint& joint) {
+        const int lesser = joint.first.body, greater = joint.second.body;
+        return 0 <= lesser && lesser < first + bodies && first <= greater &&
+               greater < first + bodies;
+      });
+    }
+    bool operator()(const GroupRest&) const { return true; }
+    int first;
   };
-  return std::visit(Visitor{before}, dyad);
+  return std::visit(Visitor{before, first}, dyad);
 }
 
 /// Whether the parts of `problem` refer to one another as they may, every body and point has a

@@ -251,6 +251,14 @@ Dyad<double> scaled(double k, const Cylinder<double>& d) {
   return Cylinder<double>{scaled(k, d.base), scaled(k, d.pivot), k * d.length, d.assembly};
 }
 
+// No task here has a group (group_test.cpp).
+Dyad<double> scaled(double, const Group& group) {
+  return group;
+}
+Dyad<double> scaled(double, const GroupRest& rest) {
+  return rest;
+}
+
 /// The task with lengths in a unit k times smaller: forces are k times as many, moments k² times.
 Task scaled(double k, Task task) {
   const auto scale = [k](const auto& part) { return scaled(k, part); };
