@@ -103,8 +103,8 @@ class ExportSheets(PartSheets):
         compared = blocked = 0
         for result in self.plates:
             problem = json.loads(result.read_text())["problem"]
-            if "layers" in problem:
-                continue
+            if "layers" in problem or any(dyad["type"] == "group" for dyad in problem["mechanism"].get("dyad", ())):
+                continue  # layers are not computed of groups
             least = shortest(self.document(result))
             source = LIBRARY / "analysis" / f"{result.name.split('.')[0]}.toml"
             again = self.folder / f"layered-{source.name}"
