@@ -148,7 +148,7 @@ void GroupEquations::move(const GroupVector& step,
 double group_determinant(const GroupMatrix& matrix) {
   GroupMatrix scaled = matrix;
   for (Eigen::Index row = 0; row < scaled.rows(); ++row) scaled.row(row).normalize();
-  return Elimination(scaled).determinant();
+  return Eigen::PartialPivLU<GroupMatrix>(scaled).determinant();
 }
 
 template GroupVector GroupEquations::residual<0>(Moving<0>) const;
