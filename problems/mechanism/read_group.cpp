@@ -45,6 +45,7 @@ class GroupReader {
   bool is_sound() const { return table_.faults().size() == before_; }
 
   void read_bodies() {
+    table_.know({kAt, kDirections});
     if (!table_.has(kBodies)) table_.fault(kBodies, "is missing; expected the names of the bodies");
     const auto names = read_mentions(table_, kBodies, {4, kMostGroupBodies, "names"});
     const bool slides = driven_by_length(chain_.mechanism.drive);

@@ -13,6 +13,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from chain_test import STEPHENSON_A, STEPHENSON_B, Chain, turn  # noqa: E402
+from thinned import WHOLE  # noqa: E402
 from written_files import command, solved  # noqa: E402
 
 FILE = """kind = "path-generation"
@@ -179,7 +180,7 @@ class ChainFronts(unittest.TestCase):
         # The front goes on to sizes at which the target is hardly met, and is as good as a search of
         # many more starts within the bounds of a size.
         self.assertLess(sizes[-1], sizes[0] / 10)
-        within = text.replace("[0.2, 12]", f"[0.2, {sizes[1]}]").replace("starts = 256", "starts = 2048")
+        within = text.replace("[0.2, 12]", f"[0.2, {sizes[1]}]").replace("starts = 256", f"starts = {2048 if WHOLE else 512}")
         alone = solved(within.replace('objectives = ["error", "size"]', ""))["designs"][0]
         self.assertLessEqual(errors[1], 1.1 * alone["error"]["rms"])
 

@@ -181,7 +181,7 @@ class DesignLayers(unittest.TestCase):
         self.assertEqual({design["layers"]["count"] for design in two["designs"]}, {2})
         self.assertGreater(two["designs"][0]["error"]["rms"], 100 * free["designs"][0]["error"]["rms"])
         self.assertGreater(self.check_by_samples(two), 0)
-        self.assertEqual(self.solved(file, "--threads", 1)["designs"], self.solved(file, "--threads", 3)["designs"])
+        self.assertEqual(self.solved(file, "--threads", 3)["designs"], two["designs"])
 
     def test_two_layers_in_place_of_three(self):
         file = LIBRARY / "path" / "ellipse-in-two-layers.toml"

