@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -85,14 +86,17 @@ class Follower {
     return start + std::remainder(group.drive - start, kTurn);
   }
 
-  /// The ends of the motion, and beyond them where groups are drawn.
+  /// The ends of the motion; with groups beyond them a turn, or as far as where they are drawn,
+  /// from where the motion may come.
   std::pair<double, double> with_drawn_positions() const {
     auto [low, high] = std::minmax({assembly_ranges_.start, assembly_ranges_.end});
+    if (!has_groups(mechanism_)) return {low, high};
+    if (!driven_by_length(mechanism_.drive)) return {low - kTurn, high + kTurn};
     for (const Dyad<double>& dyad : mechanism_.dyads) {
       const auto* group = std::get_if<Group>(&dyad);
       if (!group) continue;
-      low = std::min(low, drawn_position(*group));
-      high = std::max(high, drawn_position(*group));
+      low = std::min(low, group->drive);
+      high = std::max(high, group->drive);
     }
     return {low, high};
   }
@@ -188,36 +192,45 @@ class Follower {
   }
 
   /// Adds the parts of `run` along which the group at `dyad` can be followed from where it is
-  /// drawn. A range of more than a turn holds other places of the group in the turn after, and is
-  /// not cut short by another.
+  /// drawn. A range of more than a turn holds other places of the group in the turn after; the
+  /// range from there begins where it ends.
   void cut_group(const AssemblyRange& run, int dyad, const Group& group,
                  std::vector<AssemblyRange>& runs) {
-    std::vector<GroupTrack> tracks;
+    std::vector<AssemblyRange> parts;
     for (const double drawn : drawn_positions(group, run)) {
-      const auto holds = [&](const GroupTrack& other) {
-        return other.from() <= drawn && drawn <= other.to();
+      const auto holds = [&](const AssemblyRange& part) {
+        return part.from <= drawn && drawn <= part.to;
       };
-      if (std::ranges::any_of(tracks, holds)) continue;
+      if (std::ranges::any_of(parts, holds)) continue;
       auto track = track_group({mechanism_, run, assembly_ranges_.scale}, dyad, drawn, stop_);
-      const auto overlaps = [&](const GroupTrack& other) {
-        return track->from() < other.to() && other.from() < track->to();
-      };
-      if (track && std::ranges::none_of(tracks, overlaps)) tracks.push_back(std::move(*track));
+      if (track) parts.push_back(tracked(run, dyad, std::move(*track), drawn, parts));
     }
-    std::ranges::sort(tracks, {}, &GroupTrack::from);
-    for (GroupTrack& track : tracks) add_tracked(run, dyad, std::move(track), runs);
+    std::ranges::sort(parts, {}, &AssemblyRange::from);
+    std::ranges::move(parts, std::back_inserter(runs));
   }
 
-  /// Adds the part of `run` along which the group at `dyad` is followed.
-  void add_tracked(const AssemblyRange& run, int dyad, GroupTrack track,
-                   std::vector<AssemblyRange>& runs) const {
+  /// The part of `run` along which the group at `dyad` is followed from `drawn`, as far as none of
+  /// the `others` has it.
+  AssemblyRange tracked(const AssemblyRange& run, int dyad, GroupTrack track, double drawn,
+                        const std::vector<AssemblyRange>& others) const {
     AssemblyRange part;
     part.from = track.from();
     part.to = track.to();
     part.from_dyad = part.from > run.from ? dyad : run.from_dyad;
     part.to_dyad = part.to < run.to ? dyad : run.to_dyad;
-    runs.push_back(finished(run, part, {}));
-    runs.back().tracks.push_back(std::make_shared<const GroupTrack>(std::move(track)));
+    for (const AssemblyRange& other : others) {
+      if (other.to < drawn && other.to > part.from) {
+        part.from = other.to;
+        part.from_dyad = -1;
+      }
+      if (other.from > drawn && other.from < part.to) {
+        part.to = other.from;
+        part.to_dyad = -1;
+      }
+    }
+    AssemblyRange result = finished(run, part, {});
+    result.tracks.push_back(std::make_shared<const GroupTrack>(std::move(track)));
+    return result;
   }
 
   /// `part` of `run`, with the changes of the dyads before and its own.

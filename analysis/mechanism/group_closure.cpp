@@ -122,7 +122,7 @@ DyadClosure<double> close_group_of(const Group& group, std::size_t first, double
   }
   const GroupMatrix matrix = equations.matrix<Order>(all);
   if constexpr (Order > 0) find_rates<Order>(equations, Elimination(matrix), first, all);
-  const double sine = side == 0 ? 0 : group_determinant(matrix);
+  const double sine = side == 0 ? 0 : group_sine(matrix);
   return {sine * sine, sine, std::sqrt(std::max(0., 1 - sine * sine))};
 }
 

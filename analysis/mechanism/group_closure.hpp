@@ -24,8 +24,8 @@ void place_drawn(const Group& group, std::span<BodyMotion<T, Order>> bodies) {
 
 /// Closes the group whose first body is `first` from where its bodies stand in `bodies` nearby, and
 /// fills their motion. `side` 0: its bodies stay where they are. `sine` of the closure is the
-/// group's determinant. Where Newton's method does not converge, bodies and closure are not
-/// numbers.
+/// group's (group_equations.hpp). Where Newton's method does not converge, bodies and closure are
+/// not numbers.
 template <int Order>
 DyadClosure<double> close_group_of(const Group& group, std::size_t first, double side,
                                    std::span<BodyMotion<double, Order>> bodies);

@@ -145,10 +145,12 @@ void GroupEquations::move(const GroupVector& step,
   }
 }
 
-double group_determinant(const GroupMatrix& matrix) {
+double group_sine(const GroupMatrix& matrix) {
   GroupMatrix scaled = matrix;
   for (Eigen::Index row = 0; row < scaled.rows(); ++row) scaled.row(row).normalize();
-  return Eigen::PartialPivLU<GroupMatrix>(scaled).determinant();
+  for (Eigen::Index column = 0; column < scaled.cols(); ++column) scaled.col(column).normalize();
+  const Eigen::PartialPivLU<GroupMatrix> elimination(scaled);
+  return std::copysign(elimination.rcond(), elimination.determinant());
 }
 
 template GroupVector GroupEquations::residual<0>(Moving<0>) const;

@@ -60,11 +60,12 @@ class GroupEquations {
   double arm_ = 1;
 };
 
-/// The determinant of the equations' matrix, each of its rows of length 1: 0 at a dead point.
-double group_determinant(const GroupMatrix& matrix);
+/// How far a group is from a dead point: the reciprocal condition number of its equations' matrix,
+/// with the sign of the determinant. 0 at a dead point, beyond which the sign is another.
+double group_sine(const GroupMatrix& matrix);
 
 /// Magnitudes below this are those of a dead point, or of a part that cannot move while another is
 /// loose, but for rounding of places that a file gives.
-inline constexpr double kDeadDeterminant = 1e-9;
+inline constexpr double kDeadGroupSine = 1e-10;
 
 }  // namespace cognate

@@ -59,7 +59,7 @@ class GroupMover {
   }
 
   GroupMatrix matrix() const { return equations_.matrix<1>(bodies_); }
-  double determinant() const { return group_determinant(matrix()); }
+  double sine() const { return group_sine(matrix()); }
 
   /// One step of Newton's method; its length.
   double improve() {
@@ -191,7 +191,7 @@ class Tracker {
     if (!(mover_.improve() <= kDrawnWell * mover_.equations().arm()) || !mover_.close()) {
       return std::nullopt;
     }
-    sign_ = mover_.determinant();
+    sign_ = mover_.sine();
     return mover_.node(drawn);
   }
 
@@ -215,7 +215,7 @@ class Tracker {
     if (!(first <= kFarthest * size)) return std::nullopt;
     const double second = mover_.improve();
     if (!(second <= std::max(kContraction * first, kSettled * size))) return std::nullopt;
-    if (!mover_.close() || mover_.determinant() * sign_ <= 0) return std::nullopt;
+    if (!mover_.close() || mover_.sine() * sign_ <= 0) return std::nullopt;
     return mover_.node(drive);
   }
 

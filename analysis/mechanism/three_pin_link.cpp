@@ -177,6 +177,32 @@ std::optional<ThreePinLink> with_link(const Group& group, int first, int body,
   return link;
 }
 
+double extent_of(const ThreePinLink& link) {
+  double size = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    size = std::max({size, norm(link.pivots[k]), norm(link.pins[k]), link.legs[k]});
+  }
+  return size;
+}
+
+/// Whether all legs have their lengths: where a and b are parallel, the angle alone says nothing.
+bool is_closed(const ThreePinLink& link, const Placement& at) {
+  constexpr double kClosed = 1e-6;  // a double root is known to half of the digits
+  double farthest = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double leg = norm(at.origin + at.direction * link.pins[k] - link.pivots[k]);
+    if (!std::isfinite(leg)) return false;
+    farthest = std::max(farthest, std::abs(leg - link.legs[k]));
+  }
+  return farthest <= kClosed * extent_of(link);
+}
+
+bool is_same(const Placement& a, const Placement& b, const ThreePinLink& link) {
+  constexpr double kSame = 1e-7;
+  return norm(a.direction - b.direction) <= kSame &&
+         norm(a.origin - b.origin) <= kSame * extent_of(link);
+}
+
 }  // namespace
 
 std::optional<ThreePinLink> as_three_pin_link(const Group& group, int first,
@@ -203,7 +229,8 @@ std::vector<Placement> assemblies(const ThreePinLink& link) {
   for (const double angle : angles) {
     const Vec2d direction = unit_vector(angle);
     const Vec2d pin = link.pivots[0] + closure.at(direction).pin;
-    all.push_back({pin - direction * link.pins[0], direction});
+    const Placement at{pin - direction * link.pins[0], direction};
+    if (is_closed(link, at) && (all.empty() || !is_same(all.back(), at, link))) all.push_back(at);
   }
   return all;
 }

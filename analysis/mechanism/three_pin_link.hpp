@@ -22,7 +22,7 @@ struct ThreePinLink {
 };
 
 /// Where the link may stand, six places at most, by ascending angle in (−π, π]. Two that meet but
-/// for rounding may be found as one or two, or as none.
+/// for rounding are one, or none.
 ///
 /// With u = e^{iφ} and the first pin and pivot as origins, p from there to the link's first pin,
 /// a_k = u b_k − O_k and r_k = (l_k² − l₁² − |a_k|²)/2 the circles of legs 2 and 3 are p·a_k = r_k,

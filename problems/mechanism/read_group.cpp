@@ -64,6 +64,11 @@ class GroupReader {
     }
     for (const Mention& name : names_) {
       check_name(table_, name.where, name.called, name.name);
+      const auto same = std::ranges::find(description_.names, name.name);
+      if (same != description_.names.end()) {
+        table_.faults().add(name.where, fmt::format("{} is {}, the name of another of the bodies",
+                                                    name.called, in_quotes(name.name)));
+      }
       description_.names.push_back(name.name);
     }
     read_places({names_.size(), names_.size(), "of the bodies"});
@@ -83,10 +88,11 @@ class GroupReader {
   }
 
   void read_joints() {
+    if (!is_sound()) return table_.know({kJoint});  // what follows from the bodies is no fault
     const std::size_t wanted = 3 * names_.size() / 2;
     if (!table_.has(kJoint)) return table_.fault(kJoint, "is missing; expected [[dyad.joint]]");
     auto tables = table_.tables(kJoint, {0, 3 * kMostGroupBodies, "joints"});
-    if (!names_.empty() && tables.size() != wanted) {
+    if (!tables.empty() && tables.size() != wanted) {
       table_.fault(kJoint, fmt::format("has {} joints of {} bodies; expected {}, three for two",
                                        tables.size(), names_.size(), wanted));
     }
@@ -137,7 +143,7 @@ class GroupReader {
       std::swap(joint.at[0], joint.at[1]);
       if (joint.directions) std::swap((*joint.directions)[0], (*joint.directions)[1]);
     }
-    check_place(table, joint, bodies[0]);
+    check_place(table, joint, bodies);
     GroupJoint added{{bodies[0], joint.at[0]}, {bodies[1], joint.at[1]}};
     if (const auto& directions = joint.directions) {
       added.slides = true;
@@ -148,15 +154,29 @@ class GroupReader {
     description_.joints.push_back(std::move(joint));
   }
 
-  /// A pin on a body before the group, named as a point of it, is that point.
-  void check_place(TableReader& table, const GroupJointDescription& joint, int body) {
-    const auto point = chain_.names.point(joint.name);
-    if (joint.directions || body >= first_ || !point) return;
-    const auto place = place_on(chain_.names.parts().points[*point], body);
-    const double size = norm1(joint.at[0]);
-    if (place && norm1(*place - joint.at[0]) <= kApart * size) return;
-    table.fault(kAt, fmt::format("is not where {} is on {}", in_quotes(joint.name),
-                                 in_quotes(joint.of[0])));
+  /// A pin named as a point that is there is that point, and pins of one name are one.
+  void check_place(TableReader& table, const GroupJointDescription& joint,
+                   const std::array<int, 2>& bodies) {
+    if (joint.directions) return;
+    const auto is_at = [&](const Attached<double>& place) {
+      for (std::size_t i = 0; i < 2; ++i) {
+        const double size = std::max(norm1(joint.at[i]), norm1(place.at));
+        if (place.body == bodies[i]) return norm1(place.at - joint.at[i]) <= kApart * size;
+      }
+      return false;
+    };
+    const auto known = chain_.names.point(joint.name);
+    bool is_new = !known, is_there = false;
+    if (known) is_there = std::ranges::any_of(chain_.names.parts().points[*known].on, is_at);
+    for (std::size_t i = 0; i < description_.joints.size(); ++i) {
+      if (description_.joints[i].name != joint.name) continue;
+      is_new = false;
+      const GroupJoint& other = group_.joints[i];
+      is_there = is_there || is_at(other.first) || is_at(other.second);
+    }
+    if (is_new || is_there) return;
+    table.fault("name",
+                fmt::format("is {}, the name of a point at another place", in_quotes(joint.name)));
   }
 
   void add_to_chain() {
@@ -204,7 +224,7 @@ class GroupReader {
                                            "to {:.3g} apart; expected places in which they meet",
                                            apart));
     }
-    if (!(std::abs(group_determinant(equations.matrix<1>(bodies))) > kDeadDeterminant)) {
+    if (!(std::abs(group_sine(equations.matrix<1>(bodies))) > kDeadGroupSine)) {
       table_.fault(kAt,
                    "is a dead point of the group, where two assemblies meet, or a part of it "
                    "cannot move while another is loose; expected another position");
@@ -224,9 +244,22 @@ class GroupReader {
 
 void announce_joints(TableReader& table, PartNames& names) {
   if (!table.has_array(kJoint)) return;
-  for (TableReader& joint : table.tables(kJoint, {0, 3 * kMostGroupBodies, "joints"})) {
+  std::vector<std::string> own;
+  if (table.has_array(kBodies)) own = table.texts(kBodies, {}).value_or(own);
+  const auto is_own = [&](const std::string& body) {
+    return std::ranges::find(own, body) != own.end();
+  };
+  std::vector<std::string> pins;
+  for (TableReader& joint : table.tables(kJoint, {})) {
     const auto name = joint.has_text("name") ? joint.text("name") : std::nullopt;
-    if (name && !names.is_announced(*name)) names.announce(*name);
+    if (!name) continue;
+    const bool is_known = names.is_announced(*name) && std::ranges::find(pins, *name) == pins.end();
+    const auto of = joint.has_array(kOf) ? joint.texts(kOf, {}) : std::nullopt;
+    if (is_known && of && std::ranges::all_of(*of, is_own)) {
+      joint.fault("name", fmt::format("is {}, the name of another point", in_quotes(*name)));
+    }
+    pins.push_back(*name);
+    if (!is_known) names.announce(*name);
   }
 }
 

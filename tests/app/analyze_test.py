@@ -19,6 +19,7 @@ import tempfile
 import unittest
 
 from thinned import some
+from toml_text import toml_of
 
 try:
     import jsonschema
@@ -371,20 +372,6 @@ class Analyze(unittest.TestCase):
         rows = len(document["analysis"]["columns"][0]["values"])
         self.assertEqual(document["work"]["positions"], rows)
         self.assertGreater(rows, 0)
-
-
-def toml_value(value):
-    """`value`, read from JSON, as TOML."""
-    if isinstance(value, dict):
-        return "{" + ", ".join(f"{key} = {toml_value(v)}" for key, v in value.items()) + "}"
-    if isinstance(value, list):
-        return "[" + ", ".join(map(toml_value, value)) + "]"
-    return json.dumps(value)
-
-
-def toml_of(tables):
-    """The file that says what `tables`, read from JSON, say."""
-    return "".join(f"{key} = {toml_value(value)}\n" for key, value in tables.items())
 
 
 if __name__ == "__main__":

@@ -16,6 +16,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from linked_bodies import Bodies, solve  # noqa: E402
+from toml_text import toml_of  # noqa: E402
 from written_files import PROGRAM, command  # noqa: E402
 
 try:
@@ -177,6 +178,57 @@ class DrawnChains(unittest.TestCase):
     def test_planted_groups_of_four_links_move_as_their_constraints_say(self):
         compared = [self.follow(seed, min(seed % 2, seed % 3)) for seed in range(100, 130)]
         self.assertGreater(sum(compared), 30 * 8, compared)
+
+    def test_a_group_is_measured_alike_wherever_its_sweep_begins(self):
+        """From where it is drawn, and from the middle of the gap in which the crank cannot stand: rows, and the
+        swing of the output, which is that of its rows."""
+        compared = 0
+        for seed in range(200, 230):
+            drawer = Drawer(seed)
+            if drawer.slides:
+                continue
+            joints = drawer.draw(0, 0)
+            first = table(drawn(joints, "drive", "[drive]\nsteps = 720\n"))
+            closed = [row["J1_x"] != "" if "J1_x" in row else any(row[key] for key in row if key.endswith("_x")) for row in first]
+            if all(closed) or not closed[-1]:
+                continue
+            gap = [float(row["crank_deg"]) for row, is_closed in zip(first, closed) if not is_closed]
+            if gap[-1] - gap[0] > 0.6 * len(gap):
+                continue  # several gaps
+            start = (gap[0] + gap[-1]) / 2
+            drive = f"[drive]\nstart_deg = {start}\nend_deg = {start + 360}\nsteps = 720\n"
+            results = [json.loads(command(drawn(joints, "drive", rest), "analyze", "--json").stdout) for rest in ("", drive)]
+            metrics = [result["designs"][0]["metrics"] for result in results]
+            for name in ("output_swing_deg", "circuit_swing_deg"):
+                self.assertEqual(name in metrics[0], name in metrics[1], (seed, name))
+                if name in metrics[0]:
+                    self.assertAlmostEqual(metrics[0][name], metrics[1][name], delta=1e-4, msg=(seed, name))
+            if "output_swing_deg" in metrics[1]:
+                angles = [float(row[f"{metrics[1]['output']}_deg"]) for row in table(drawn(joints, "drive", drive)) if row[f"{metrics[1]['output']}_deg"]]
+                self.assertGreater(metrics[0]["output_swing_deg"], max(angles) - min(angles) - 1e-6, seed)
+                compared += 1
+        self.assertGreater(compared, 3)
+
+    def test_a_sweep_is_reached_from_the_drawing_in_either_turn(self):
+        """The drawing stands beyond the end of the sweep, and nearer to its beginning by another turn."""
+        pin = pinned
+        joints = [pin("A", (0, 0), "frame", "crank"), pin("B", (0.27, -0.53), "crank", "leg1"), pin("P", (0.1, -3.5), "leg1", "plate"),
+                  pin("Q", (3.5, -0.5), "leg2", "plate"), pin("R", (-1.4, -3.9), "leg3", "plate"), pin("C", (-0.9, 1.7), "leg2", "frame"),
+                  pin("D", (0.9, -0.5), "leg3", "frame")]
+        whole = table(drawn(joints, "crank", "[drive]\nsteps = 360\nstart_deg = -63\nend_deg = 297\n"))
+        for start in (-700, -300, 100, 500):
+            rows = table(drawn(joints, "crank", f"[drive]\nstart_deg = {start}\nend_deg = {start + 100}\nsteps = 100\n"))
+            for row in rows:
+                same = whole[round(float(row["crank_deg"]) + 63) % 360]
+                self.assertAlmostEqual(float(row["Q_x"]), float(same["Q_x"]), delta=1e-9)
+
+    def test_pins_of_one_name_are_one(self):
+        group = json.loads(command((LIBRARY / "analysis" / "three-pin-link.toml").read_text(), "analyze", "--json").stdout)["problem"]
+        joints = group["mechanism"]["dyad"][0]["joint"]
+        for change, reason in (({"name": joints[2]["name"]}, "the name of a point at another place"), ({"name": "A"}, "the name of a"), ({"name": "T"}, "the name of another point")):
+            other = json.loads(json.dumps(group))
+            other["mechanism"]["dyad"][0]["joint"][1].update(change)
+            self.assertIn(reason, self.faults(toml_of(other)))
 
     def test_any_joints_are_a_mechanism_where_their_constraints_are_independent(self):
         soups = [soup(seed) for seed in range(250)]

@@ -142,7 +142,7 @@ bool could_move_alone(const Drawing& drawing, const GroupDescription& group,
     equivalent.joints.push_back(added);
   }
   const GroupEquations equations(equivalent, bodies.size() - group.drawn.size());
-  return !(std::abs(group_determinant(equations.matrix<0>(bodies))) > kDeadDeterminant);
+  return !(std::abs(group_sine(equations.matrix<0>(bodies))) > kDeadGroupSine);
 }
 
 }  // namespace cognate::problems::reading
