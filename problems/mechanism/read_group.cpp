@@ -21,6 +21,8 @@ constexpr std::string_view kDirections = "direction_deg";
 constexpr std::string_view kJoint = "joint";
 constexpr std::string_view kOf = "of";
 
+constexpr std::size_t kMostJoints = std::size_t{3} * kMostGroupBodies / 2;
+
 /// In parts of a group: joints farther apart than this are not where the file says.
 constexpr double kApart = 1e-6;
 
@@ -91,7 +93,7 @@ class GroupReader {
     if (!is_sound()) return table_.know({kJoint});  // what follows from the bodies is no fault
     const std::size_t wanted = 3 * names_.size() / 2;
     if (!table_.has(kJoint)) return table_.fault(kJoint, "is missing; expected [[dyad.joint]]");
-    auto tables = table_.tables(kJoint, {0, 3 * kMostGroupBodies, "joints"});
+    auto tables = table_.tables(kJoint, {0, kMostJoints, "joints"});
     if (!tables.empty() && tables.size() != wanted) {
       table_.fault(kJoint, fmt::format("has {} joints of {} bodies; expected {}, three for two",
                                        tables.size(), names_.size(), wanted));
