@@ -176,14 +176,14 @@ class DrawnChains(unittest.TestCase):
         self.assertGreater(sum(compared), 40 * 10, compared)
 
     def test_planted_groups_of_four_links_move_as_their_constraints_say(self):
-        compared = [self.follow(seed, min(seed % 2, seed % 3)) for seed in range(100, 130)]
-        self.assertGreater(sum(compared), 30 * 8, compared)
+        compared = [self.follow(seed, min(seed % 2, seed % 3)) for seed in range(100, 116)]
+        self.assertGreater(sum(compared), 16 * 8, compared)
 
     def test_a_group_is_measured_alike_wherever_its_sweep_begins(self):
         """From where it is drawn, and from the middle of the gap in which the crank cannot stand: rows, and the
         swing of the output, which is that of its rows."""
         compared = 0
-        for seed in range(200, 230):
+        for seed in range(200, 220):
             drawer = Drawer(seed)
             if drawer.slides:
                 continue
@@ -207,7 +207,7 @@ class DrawnChains(unittest.TestCase):
                 angles = [float(row[f"{metrics[1]['output']}_deg"]) for row in table(drawn(joints, "drive", drive)) if row[f"{metrics[1]['output']}_deg"]]
                 self.assertGreater(metrics[0]["output_swing_deg"], max(angles) - min(angles) - 1e-6, seed)
                 compared += 1
-        self.assertGreater(compared, 3)
+        self.assertGreater(compared, 2)
 
     def test_a_sweep_is_reached_from_the_drawing_in_either_turn(self):
         """The drawing stands beyond the end of the sweep, and nearer to its beginning by another turn."""
