@@ -35,14 +35,14 @@ class Follower {
       : mechanism_(mechanism), stop_(stop), probe_(mechanism) {
     assembly_ranges_.start = start;
     assembly_ranges_.end = end;
-    const double length = std::abs(end - start);
+    const auto [low, high] = with_drawn_positions();
+    const double length = high - low;
     const bool is_length = driven_by_length(mechanism.drive);
     if (is_length && length > 0) assembly_ranges_.scale = length / kTurn;
     // Beyond both ends, so that a change there has two sides; by a part of a cell, so that round
     // angles, where much happens, are not among the places looked at.
     const double beyond = 0.618 * assembly_ranges_.scale * kTurn / kCellsPerTurn;
     const double sense = end < start ? -1 : 1;
-    const auto [low, high] = with_drawn_positions();
     assembly_ranges_.runs.push_back(
         {.from = low - beyond,
          .to = high + beyond,

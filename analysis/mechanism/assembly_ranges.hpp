@@ -78,8 +78,8 @@ bool groups_stand_alike(const Mechanism<double>& mechanism, const AssemblyRange&
 
 /// The motion from `start` to `end` of the drive (`end` may be the less): with the described
 /// assemblies at `start`, and through change points smoothly. Beyond a gap the dyads that could not
-/// be assembled in it are as described again; a group has the one range that holds the position in
-/// which it is drawn.
+/// be assembled in it are as described again; a group has the ranges that hold positions in which
+/// it is drawn, one in each turn.
 struct AssemblyRanges {
   double start = 0;
   double end = 0;

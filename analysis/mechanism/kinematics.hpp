@@ -97,8 +97,8 @@ DrivePosition<double> drive_position(const Mechanism<double>& mechanism, double 
 /// nor uses trigonometry. Lengths are 0 or from 1e-100 to 1e100.
 ///
 /// Of a group `bodies` hold where its bodies stand at a position nearby, from which it is closed
-/// (analysis/mechanism/group_closure.hpp); over number types other than double and Dual they are
-/// not numbers.
+/// (analysis/mechanism/group_closure.hpp); over Dual that takes an array of the bodies before, over
+/// number types other than double and Dual they are not numbers.
 template <int Order, class T>
 void evaluate(const Mechanism<T>& mechanism, const DrivePosition<std::type_identity_t<T>>& drive,
               std::span<const std::type_identity_t<T>> sides,

@@ -31,6 +31,7 @@
 /// (many designs at once) or one of extended precision.
 #pragma once
 
+#include <algorithm>
 #include <variant>
 #include <vector>
 
@@ -155,13 +156,16 @@ struct Mechanism {
   std::vector<Dyad<T>> dyads;
 };
 
+/// Whether it is a place of a group: no dyad.
+template <class T>
+bool is_of_group(const Dyad<T>& dyad) {
+  return std::holds_alternative<Group>(dyad) || std::holds_alternative<GroupRest>(dyad);
+}
+
 /// Whether it has groups other than dyads.
 template <class T>
 bool has_groups(const Mechanism<T>& mechanism) {
-  for (const Dyad<T>& dyad : mechanism.dyads) {
-    if (std::holds_alternative<Group>(dyad)) return true;
-  }
-  return false;
+  return std::ranges::any_of(mechanism.dyads, is_of_group<T>);
 }
 
 /// How many bodies the drive has: 1, and 3 for a floating link with its blocks.

@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "analysis/mechanism/kinematics.hpp"
+#include "analysis/mechanism/followed_motion.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/computation.hpp"
 #include "app/console/messages.hpp"
@@ -30,15 +30,15 @@ constexpr Page kMechanismPage{"mechanism.html", build_page, "mm"};
 /// How many the unit of the file has. Without one lengths are those of the sheet, or metres where
 /// forces are computed.
 double millimetres(const problems::AnalysisProblem& problem) {
-  const bool is_true = problem.length_unit || has_forces(problem);
-  return is_true ? 1000 * problems::metres(problem.length_unit) : 1;
+  const bool has_unit = problem.length_unit || has_forces(problem);
+  return has_unit ? 1000 * problems::metres(problem.length_unit) : 1;
 }
 
 /// Where masses and loads are where the drive begins, by the names of their bodies.
 nlohmann::ordered_json places_of(const problems::AnalysisProblem& problem) {
   const auto& bodies = problem.mechanism.bodies;
   MechanismMotion<0> motion(problem.mechanism.mechanism);
-  motion.move_to(problem.drive.start);
+  move_followed(motion, problem.drive.start);
   const auto place = [&](const Attached<double>& at) {
     const Vec2d point = motion.point(at)[0];
     return nlohmann::ordered_json::array({point.x, point.y});

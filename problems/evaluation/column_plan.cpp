@@ -76,13 +76,9 @@ class Planner {
       return std::holds_alternative<Rrr<double>>(dyads[i]);
     };
     std::array<std::size_t, 2> alike{};
-    const auto is_dyad = [&](std::size_t i) {
-      return !std::holds_alternative<Group>(dyads[i]) &&
-             !std::holds_alternative<GroupRest>(dyads[i]);
-    };
-    for (std::size_t i = 0; i < dyads.size(); ++i) alike[is_rrr(i)] += is_dyad(i);
+    for (std::size_t i = 0; i < dyads.size(); ++i) alike[is_rrr(i)] += !is_of_group(dyads[i]);
     for (std::size_t i = 0; i < dyads.size(); ++i) {
-      if (!is_dyad(i)) continue;
+      if (is_of_group(dyads[i])) continue;
       const std::string which = alike[is_rrr(i)] > 1 ? names[i] + "_" : "";
       const char* what = is_rrr(i) ? "transmission_deg" : "pressure_deg";
       plan_.transmissions.push_back(

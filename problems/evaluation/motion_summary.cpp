@@ -58,11 +58,6 @@ struct TimeRatio {
   }
 };
 
-/// Whether it has no transmission angle: a group has several ways to be at a dead point.
-bool is_of_group(const Dyad<double>& dyad) {
-  return std::holds_alternative<Group>(dyad) || std::holds_alternative<GroupRest>(dyad);
-}
-
 /// Goes through one motion and collects what it says.
 class Summary {
  public:
@@ -116,15 +111,22 @@ class Summary {
       const auto* group = std::get_if<Group>(&mechanism_.dyads[i]);
       const int first = first_body(mechanism_, static_cast<int>(i));
       const auto link = group ? as_three_pin_link(*group, first, bodies) : std::nullopt;
-      if (link) add_assemblies(*link, bodies[static_cast<std::size_t>(link->body)].direction);
+      if (link) add_assemblies(*link, bodies[static_cast<std::size_t>(link->body)]);
     }
   }
 
   /// Their number, which of them it is, and the link's angle in each.
-  void add_assemblies(const ThreePinLink& link, const Vec2d& direction) {
+  void add_assemblies(const ThreePinLink& link, const Placement& here) {
     const std::string& name = problem_.mechanism.bodies[static_cast<std::size_t>(link.body)];
     const auto all = assemblies(link);
-    const auto distance = [&](const Placement& at) { return norm(at.direction - direction); };
+    if (all.empty()) return;
+    const auto distance = [&](const Placement& at) {
+      double sum = 0;
+      for (const Vec2d& pin : link.pins) {
+        sum += norm(at.origin + at.direction * pin - here.origin - here.direction * pin);
+      }
+      return sum;
+    };
     const auto own = std::ranges::min_element(all, {}, distance) - all.begin();
     const auto add = [&](const std::string& what, double value) {
       summary_.quantities.push_back({what + "." + name, value});
@@ -156,7 +158,7 @@ class Summary {
     std::optional<double> pressure;
     for (std::size_t i = 0; i < mechanism_.dyads.size(); ++i) {
       if (deadline_.reached()) return;
-      if (is_of_group(mechanism_.dyads[i])) continue;
+      if (is_of_group(mechanism_.dyads[i])) continue;  // which has no such angle
       const auto angles = transmission_extremes(mechanism_, assembly_ranges_, static_cast<int>(i));
       if (!angles) return;
       all = {std::min(all.min, angles->least.angle), std::max(all.max, angles->greatest.angle),
@@ -169,7 +171,7 @@ class Summary {
       add_landmark("least transmission angle", names[i], angles->least.drive);
       add_landmark("greatest transmission angle", names[i], angles->greatest.drive);
     }
-    if (std::ranges::all_of(mechanism_.dyads, is_of_group)) return;
+    if (std::ranges::all_of(mechanism_.dyads, is_of_group<double>)) return;
     if (problem_.mechanism.four_bar()) all = by_diagonal(*problem_.mechanism.four_bar());
     summary_.transmission = all;
     if (pressure) add("pressure_angle_max_deg", kDegreesInRadian * *pressure);

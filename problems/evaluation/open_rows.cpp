@@ -103,8 +103,7 @@ std::string note(const AnalysisProblem& problem, const AssemblyRanges& assembly_
   if (has_groups(problem.mechanism.mechanism)) {
     return fmt::format(
         "{} the motion does not reach: between there and where the mechanism is drawn {} comes to "
-        "a "
-        "dead point, or cannot be assembled",
+        "a dead point, or cannot be assembled",
         where, name);
   }
   std::optional<AssemblyFault> worst;

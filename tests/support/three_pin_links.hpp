@@ -50,6 +50,37 @@ inline Mechanism<double> with_group(const Drawn& drawn) {
   return {Crank<double>{a, crank}, {group, GroupRest{}}};
 }
 
+/// The same with the third leg as a block that turns about its pivot and slides along a line of the
+/// plate, in the direction `angle`.
+inline Mechanism<double> with_slide(const Drawn& drawn, double angle) {
+  Mechanism<double> mechanism = with_group(drawn);
+  Group& group = std::get<Group>(mechanism.dyads[0]);
+  GroupJoint& joint = group.joints.back();
+  std::swap(joint.first, joint.second);
+  joint.slides = true;
+  joint.along_first = unit_vector(angle);
+  joint.along_second = conj(group.drawn[2].direction) * joint.along_first;
+  return mechanism;
+}
+
+/// The same with the first leg sliding along a line of the crank, so that it turns with it.
+inline Mechanism<double> with_slide_on_crank(const Drawn& drawn, double angle) {
+  Mechanism<double> mechanism = with_group(drawn);
+  Group& group = std::get<Group>(mechanism.dyads[0]);
+  const Vec2d along = unit_vector(angle);
+  GroupJoint& joint = group.joints.front();
+  joint.slides = true;
+  joint.along_first = conj(unit_vector(drawn.angle())) * along;
+  joint.along_second = conj(group.drawn[0].direction) * along;
+  return mechanism;
+}
+
+/// The three in turn.
+inline Mechanism<double> any_form(const Drawn& drawn, int number, double angle) {
+  if (number % 3 == 0) return with_group(drawn);
+  return number % 3 == 1 ? with_slide(drawn, angle) : with_slide_on_crank(drawn, angle);
+}
+
 inline Assembly side_of(const Vec2d& from, const Vec2d& to, const Vec2d& joint) {
   return cross(to - from, joint - from) > 0 ? Assembly::open : Assembly::crossed;
 }

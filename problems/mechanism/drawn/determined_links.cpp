@@ -1,8 +1,6 @@
 #include "problems/mechanism/drawn/determined_links.hpp"
 
 #include <algorithm>
-#include <array>
-#include <optional>
 #include <utility>
 
 namespace cognate::problems::reading {
