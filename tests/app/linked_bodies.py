@@ -117,3 +117,14 @@ class Bodies:
     def points(self):
         """Where the pins and points of links are."""
         return {joint["name"]: self.place(self.poses, joint["of"][0], joint["at"]) for joint in self.joints if "at" in joint}
+
+
+def is_determined(joints, driven="drive", least=1e-6):
+    """Whether the rates of all bodies follow from that of the driven one."""
+    if not any({"frame", driven} <= {*joint["of"]} for joint in joints):
+        return False
+    bodies = Bodies(joints, driven)
+    columns = bodies._slopes(bodies.poses)
+    if len(columns) != len(columns[0] if columns else []):
+        return False
+    return solve([list(row) for row in zip(*columns)], [0.0] * len(columns))[1] > least
