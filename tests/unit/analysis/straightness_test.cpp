@@ -46,6 +46,50 @@ TEST(NarrowestStrip, IsNoWiderThanAnyOther) {
   }
 }
 
+/// The narrowest of the strips along the lines through any two points, by 113 bits.
+double width_by_pairs(const std::vector<Vec2d>& points) {
+  using Wide = __float128;
+  Wide best = 1e30;
+  for (const Vec2d& p : points) {
+    for (const Vec2d& q : points) {
+      const Wide x = Wide(q.x) - p.x, y = Wide(q.y) - p.y;
+      if (x * x + y * y == 0) continue;
+      Wide low = 0, high = 0;
+      for (const Vec2d& other : points) {
+        const Wide height = x * (Wide(other.y) - p.y) - y * (Wide(other.x) - p.x);
+        low = std::min(low, height);
+        high = std::max(high, height);
+      }
+      best = std::min(best, (high - low) / std::sqrt(static_cast<double>(x * x + y * y)));
+    }
+  }
+  return static_cast<double>(best / 2);
+}
+
+/// Points of nearly straight curves crowd at the ends, and some differ from others by rounding
+/// alone.
+TEST(NarrowestStrip, OfPointsInLineButForLittle) {
+  std::mt19937_64 random(43);
+  std::uniform_real_distribution<double> part(-1, 1);
+  StripFinder narrowest;
+  for (int i = 0; i < 150; ++i) {
+    const double size = std::pow(10, -8 + 5 * part(random)), slope = 3 * part(random);
+    const double wave = 2 + 3 * std::abs(part(random)), phase = 3 * part(random);
+    std::vector<Vec2d> points;
+    for (int k = 0; k <= 32; ++k) {
+      const double x = -std::cos(pi * k / 32), y = size * std::sin(wave * x + phase);
+      points.push_back(Vec2d{x, y} * unit_vector(slope));
+      if (k % 4 == i % 4) {
+        const double near = i % 3 == 0 ? 1e-12 : 3e-16;
+        points.push_back(points.back() + near * Vec2d{part(random), part(random)});
+      }
+    }
+    std::vector<Vec2d> sorted = points;
+    const double expected = width_by_pairs(points);
+    EXPECT_NEAR(narrowest(sorted).half_width, expected, 1e-6 * expected + 1e-15) << i;
+  }
+}
+
 TEST(NarrowestStrip, OfFewPoints) {
   StripFinder narrowest;
   std::vector<Vec2d> none, one{{1, 2}}, same(5, Vec2d{1, 2}), line{{0, 0}, {2, 1}, {4, 2}};
