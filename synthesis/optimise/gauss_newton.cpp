@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "synthesis/optimise/dense_model.hpp"
+#include "synthesis/optimise/learnt_curvature.hpp"
 #include "synthesis/optimise/quadratic_program.hpp"
 
 namespace cognate::synthesis {
@@ -14,6 +15,9 @@ using Clock = std::chrono::steady_clock;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+/// What is believed of the curvature where no step has led, over that along the first step.
+constexpr double kLeastCurvature = 1e-3;
 
 /// A point with everything known about it. Residuals are per unit, derivatives per scaled variable.
 struct Point {
@@ -37,7 +41,10 @@ class GaussNewton {
   void step_locals(double damping);
   bool try_step();
   bool correct_step();
-  double predicted_decrease() const;
+  VectorXd lagrangian_gradient() const;
+  void learn_curvature();
+  double bound_weight() const;
+  double curvature_of_step() const;
   double penalty(const VectorXd& constraints) const;
   double merit(const Point& point) const;
   double linearised_merit() const;
@@ -49,6 +56,7 @@ class GaussNewton {
   const Options& options_;
   const Clock::time_point begin_ = Clock::now();
   const bool minimax_;
+  const bool learns_;  ///< the curvature of the Lagrangian
   const Index globals_, locals_, rows_;
   const Index limits_, equalities_;  ///< numbers of the model's constraints, of equalities in them
   std::span<const int> local_of_row_;
@@ -64,6 +72,7 @@ class GaussNewton {
   MatrixXd local_rows_;  ///< Σ over the rows of a local variable of slope · row of J
   VectorXd penalties_, step_, local_step_, model_residuals_;
   QuadraticProgram qp_;
+  LearntCurvature curvature_;
   std::uint64_t evaluations_ = 0, gradients_ = 0;
 };
 
@@ -71,12 +80,14 @@ GaussNewton::GaussNewton(const Model& model, std::span<const double> start, cons
     : model_(model),
       options_(options),
       minimax_(model.objective() == Objective::max_abs),
+      learns_(minimax_ && options.learns_curvature && model.local_count() == 0),
       globals_(model.global_count()),
       locals_(model.local_count()),
       rows_(model.residual_count()),
       limits_(model.constraint_count()),
       equalities_(model.equality_count()),
-      local_of_row_(model.local_of_residual()) {
+      local_of_row_(model.local_of_residual()),
+      curvature_(learns_ ? globals_ : 0) {
   const auto variables = model.variables();
   const auto n = static_cast<Index>(variables.size());
   scale_.resize(n);
@@ -167,6 +178,7 @@ void GaussNewton::reduce_minimax(double damping) {
   hessian_.setZero(globals_ + 1, globals_ + 1);
   hessian_.diagonal().head(globals_) =
       (damping / size) * diagonal_ + VectorXd::Constant(globals_, 1e-14 * largest / size);
+  if (learns_) hessian_.topLeftCorner(globals_, globals_) += curvature_.matrix();
   hessian_(globals_, globals_) = 1 / size;
   gradient_.setZero(globals_ + 1);
   gradient_[globals_] = 1;
@@ -250,6 +262,38 @@ bool GaussNewton::correct_step() {
   return step_.allFinite();
 }
 
+/// Of the Lagrangian at `now_` with the multipliers of the last quadratic program.
+VectorXd GaussNewton::lagrangian_gradient() const {
+  const VectorXd& multipliers = qp_.multipliers();
+  VectorXd of_residuals(rows_);
+  Index row = multipliers.size() - 2 * rows_;
+  for (double& factor : of_residuals) {
+    factor = multipliers[row + 1] - multipliers[row];
+    row += 2;
+  }
+  return jacobian_.transpose() * of_residuals -
+         constraint_jacobian_.transpose() * multipliers.head(limits_);
+}
+
+/// From the step that led to `now_`, whose derivatives are not known yet.
+void GaussNewton::learn_curvature() {
+  const VectorXd before = lagrangian_gradient();
+  differentiate(now_);
+  const VectorXd change = lagrangian_gradient() - before;
+  curvature_.learn(step_, change, kLeastCurvature * change.norm() / step_.norm());
+}
+
+/// What the minimax quadratic program gives a little more of the bound t: multipliers are those of
+/// the least largest residual times this.
+double GaussNewton::bound_weight() const {
+  return 1 + hessian_(globals_, globals_) * qp_.x()[globals_];
+}
+
+/// What the learnt curvature takes from the decrease that a step has to the first order.
+double GaussNewton::curvature_of_step() const {
+  return learns_ ? 0.5 * step_.dot(curvature_.matrix() * step_) / bound_weight() : 0;
+}
+
 void GaussNewton::step_locals(double damping) {
   for (Index local = 0; local < locals_; ++local) {
     const double along = local_rhs_[local] + local_rows_.row(local).dot(step_);
@@ -299,8 +343,9 @@ Solution GaussNewton::finish(Stop stop, int iterations) const {
   solution.objective = minimax_ ? now_.cost : 2 * now_.cost;
   solution.violation = now_.violation;
   if (limits_ > 0 && qp_.multipliers().size() >= limits_) {
-    // The quadratic program is that of ½|r|².
-    const VectorXd multipliers = (minimax_ ? 1.0 : 2.0) * qp_.multipliers().head(limits_);
+    // A quadratic program of least squares is that of ½|r|².
+    const double unit = minimax_ ? 1 / bound_weight() : 2;
+    const VectorXd multipliers = unit * qp_.multipliers().head(limits_);
     solution.multipliers.assign(multipliers.data(), multipliers.data() + limits_);
   }
   solution.stop = stop;
@@ -319,7 +364,11 @@ Solution GaussNewton::run() {
   int stalled = 0;
   for (int iteration = 0; iteration < options_.max_iterations; ++iteration) {
     if (const Stop stop = outside_stop(); stop != Stop::converged) return finish(stop, iteration);
-    if (moved) differentiate(now_);
+    if (moved && learns_ && iteration > 0) {
+      learn_curvature();
+    } else if (moved) {
+      differentiate(now_);
+    }
     moved = false;
     if (!find_step(damping)) {
       if (damping > 1e12) return finish(Stop::failed, iteration);
@@ -328,11 +377,11 @@ Solution GaussNewton::run() {
     }
     raise_penalties();
     const double before = merit(now_);
-    const double predicted = before - linearised_merit();
+    const double predicted = before - linearised_merit() - curvature_of_step();
     bool valid = try_step();
     double gained = valid ? before - merit(next_) : 0;
     const bool falls_short = valid && gained < 0.5 * predicted;
-    if (options_.corrects_steps && minimax_ && locals_ == 0 && falls_short && correct_step()) {
+    if (learns_ && falls_short && correct_step()) {
       valid = try_step();
       gained = valid ? before - merit(next_) : 0;
     }

@@ -40,9 +40,10 @@ struct Options {
   /// Gauss-Newton sets its penalties by them; Ipopt, on sums of squares, begins near the central
   /// path's end. The others begin anew.
   std::span<const double> multipliers = {};
-  /// Of Gauss-Newton on largest residuals: a step that fails is corrected to second order before a
-  /// shorter one is tried. It then ends nearer to minima at which few residuals are the largest.
-  bool corrects_steps = false;
+  /// Of Gauss-Newton on largest residuals without local unknowns: it learns the curvature of the
+  /// Lagrangian from its steps and corrects steps that fall short to second order. It then ends
+  /// nearer to minima at which few residuals are the largest.
+  bool learns_curvature = false;
 };
 
 /// Where a solver ended, and why.

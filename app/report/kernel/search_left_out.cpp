@@ -8,7 +8,7 @@ namespace cognate {
 synthesis::Solution synthesis::solve(Solver /*solver*/, const Model& model,
                                      std::span<const double> start, const Options& options) {
   Options own = options;
-  own.corrects_steps = true;
+  own.learns_curvature = true;
   return solve_gauss_newton(model, start, own);
 }
 
