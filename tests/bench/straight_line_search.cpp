@@ -67,7 +67,7 @@ void report(const std::filesystem::path& file, int seeds, int threads) {
 int main(int count, char** words) {
   const int seeds = count > 1 ? std::max(1, std::atoi(words[1])) : 20;
   const int threads = count > 2 ? std::max(1, std::atoi(words[2])) : 2;
-  const auto library = std::filesystem::path(kLibraryFolder) / "straight-line";
+  const auto library = std::filesystem::path(cognate::kLibraryFolder) / "straight-line";
   fmt::print("| problem | best figure | seeds within 0.1 % of it | median time |\n");
   fmt::print("|---|---|---|---|\n");
   for (const char* name : {"hoeken", "chebyshev", "roberts", "watt", "evans", "smallest"}) {
