@@ -37,7 +37,7 @@ struct SegmentFront {
 constexpr double kRatio = 0.8;
 constexpr int kMostPoints = 12;
 /// Afresh at every second bound, and from the points beside each.
-constexpr SegmentEffort kFresh{30, 3, 0}, kOnward{0, 1, 0};
+constexpr SegmentEffort kFresh{90, 3, 0}, kOnward{0, 1, 0};
 /// The front ends where δ/L exceeds this.
 constexpr double kBentFront = 0.02;
 constexpr double kFeasible = 1e-7;

@@ -167,9 +167,9 @@ Design searched_design(const StraightLineProblem& problem, const SegmentDesign& 
   }
   add_checks(problem, straight, design);
   design.metrics.quantities.push_back({"start_family", found.origin});
-  const auto& solver = problem.solve.solver;
-  const auto last = chosen(solver, synthesis::Solver::ipopt);
-  design.origin = fmt::format("search + slsqp + {}", synthesis::name(last));
+  const auto begun = synthesis::Solver::gauss_newton, last = last_solver(problem);
+  design.origin = fmt::format("search + {}", synthesis::name(begun));
+  if (last != begun) design.origin += fmt::format(" + {}", synthesis::name(last));
   return design;
 }
 

@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <random>
 
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/parallel.hpp"
+#include "analysis/numbers/random.hpp"
 #include "problems/search/solver_origin.hpp"
 #include "problems/straight_line/model.hpp"
 #include "problems/straight_line/peaks.hpp"
@@ -19,7 +21,7 @@ namespace {
 using synthesis::Solver;
 
 /// Linkages drawn for each start that is refined.
-constexpr int kDrawnPerStart = 60;
+constexpr int kDrawnPerStart = 150;
 /// Cells between nodes and iterations: of the first refinement, and of the best ones.
 constexpr int kCoarseCells = 20, kCoarseIterations = 60;
 constexpr int kFineCells = 32, kFineIterations = 300;
@@ -27,9 +29,19 @@ constexpr int kFineCells = 32, kFineIterations = 300;
 constexpr int kMendingIterations = 300;
 /// Rounds in which peaks between the nodes join them.
 constexpr int kExchangeRounds = 10;
+/// One of so many starts is drawn; the others are good designs that are disturbed.
+constexpr int kStartsPerDraw = 3;
+/// Disturbed designs between two looks at what they led to, and how many of the best are disturbed.
+constexpr int kHopsInRound = 16, kParents = 6;
 /// δ/L up to this is rounding: the line is exact.
 constexpr double kExact = 1e-12;
 constexpr double kSameOptimum = 1e-4;
+/// The same of designs that are not refined to the end.
+constexpr double kSameStart = 1e-2;
+
+Solver own_solver(SegmentObjective objective) {
+  return objective == SegmentObjective::deviation ? Solver::gauss_newton : Solver::ipopt;
+}
 
 bool is_feasible(const SegmentDesign& found) {
   return found.violation <= kSegmentFeasibility;
@@ -81,9 +93,14 @@ struct SegmentRules {
   }
 };
 
-/// Shares of the whole search, for progress, when its starts have been refined and the best of
-/// them.
-constexpr double kBegun = 0.3, kDeepened = 0.6;
+/// Shares of the whole search, for progress, when its starts have been refined, designs disturbed,
+/// and the best of them refined further.
+constexpr double kBegun = 0.2, kHopped = 0.5, kDeepened = 0.7;
+
+/// Counts for nothing until it is refined.
+SegmentDesign unrefined(const LinkageSegment& segment, const std::string& origin) {
+  return {.segment = segment, .violation = kInfinity, .origin = origin};
+}
 
 /// The stages of a search.
 class Search {
@@ -94,11 +111,12 @@ class Search {
         deadline_(deadline),
         work_(work),
         objective_(objective_of(problem)),
-        solver_(chosen(problem.solve.solver, Solver::ipopt)),
+        solver_(last_solver(problem)),
         search_({}, {run.threads, deadline, run.progress}) {}
 
   std::vector<SegmentStart> draw(int wanted);
   void begin(const std::vector<LinkageSegment>& known, const std::vector<SegmentStart>& starts);
+  void hop(int hops);
   void deepen(std::size_t reserve);
   void finish(std::size_t reserve);
   SegmentSearchResult take() && {
@@ -116,6 +134,7 @@ class Search {
   void refine(const StraightLineProblem& problem, SegmentDesign& found, std::vector<double> nodes,
               Solver solver, int iterations) const;
   void refine_start(SegmentDesign& found) const;
+  SegmentDesign disturbed(std::uint64_t number) const;
   void approach(SegmentDesign& found, const std::vector<double>& nodes) const;
   void refine_within(SegmentDesign& found, const std::vector<double>& nodes, Solver solver) const;
   void exchange(SegmentDesign& found) const;
@@ -212,7 +231,8 @@ void Search::refine(const StraightLineProblem& problem, SegmentDesign& found,
       synthesis::until(deadline_, {.tolerance = problem_.solve.tolerance.value_or(1e-9),
                                    .feasibility = 0.1 * kSegmentFeasibility,
                                    .max_iterations = iterations,
-                                   .seed = run_.seed});
+                                   .seed = run_.seed,
+                                   .learns_curvature = true});
   const auto solution = synthesis::solve(solver, model, model.variables_of(found.segment), options);
   solved_.count(solution);
   if (solution.stop == synthesis::Stop::no_value) {
@@ -228,13 +248,13 @@ void Search::refine(const StraightLineProblem& problem, SegmentDesign& found,
 void Search::refine_start(SegmentDesign& found) const {
   const std::vector<double> nodes = segment_nodes(kCoarseCells);
   if (objective_ == SegmentObjective::deviation) {
-    refine(found, nodes, Solver::slsqp, kCoarseIterations);
+    refine(found, nodes, Solver::gauss_newton, kCoarseIterations);
     found.promise = found.objective * (1 + 4 * found.violation);
     return;
   }
   const double length = found.segment.length;
-  refine(at_size(problem_, length, size_over_length(found.segment)), found, nodes, Solver::slsqp,
-         kCoarseIterations);
+  refine(at_size(problem_, length, size_over_length(found.segment)), found, nodes,
+         Solver::gauss_newton, kCoarseIterations);
   const StraightLineGoal& goal = *problem_.goal;
   const double most = goal.deviation ? *goal.deviation / length : *goal.deviation_relative;
   const double missed = std::pow(found.objective / most, 0.25);
@@ -247,16 +267,51 @@ void Search::begin(const std::vector<LinkageSegment>& known,
                    const std::vector<SegmentStart>& starts) {
   std::vector<SegmentDesign> fresh;
   for (const LinkageSegment& segment : known) {
-    fresh.push_back({segment, 0, kInfinity, 0, "neighbour"});
+    fresh.push_back(unrefined(segment, "neighbour"));
   }
   for (const SegmentStart& start : starts) {
-    fresh.push_back({start.segment, 0, kInfinity, 0, std::string(name(start.family))});
+    fresh.push_back(unrefined(start.segment, std::string(name(start.family))));
   }
   const int count = static_cast<int>(fresh.size());
   search_.explore({.starts = count, .round = count}, {0, kBegun}, [&](int, int) {
     search_.for_each(fresh.size(), [&](std::size_t i) { refine_start(fresh[i]); });
-    search_.add(std::move(fresh), kSameOptimum);
+    search_.add(std::move(fresh), kSameStart);
   });
+}
+
+/// A good design, more often one of the best, of which all dimensions are changed a little or much.
+SegmentDesign Search::disturbed(std::uint64_t number) const {
+  constexpr double kLeastHop = 0.005, kMostHop = 0.7, kLeastUnit = 0.1;
+  std::seed_seq seed{run_.seed, number};
+  std::mt19937_64 random(seed);
+  const auto& all = search_.all();
+  const auto parents = std::min(kParents, static_cast<int>(all.size()));
+  const double rank = parents * std::pow(uniform(random, 0, 1), 2);
+  const SegmentDesign& parent = all[static_cast<std::size_t>(rank)];
+  const SegmentModel model(problem_, parent.segment, segment_nodes(1));
+  std::vector<double> x = model.variables_of(parent.segment);
+  const double size = std::exp(uniform(random, std::log(kLeastHop), std::log(kMostHop)));
+  for (double& value : x) {
+    value += size * uniform(random, -1, 1) * std::max(kLeastUnit, std::abs(value));
+  }
+  return unrefined(model.segment(x), parent.origin);
+}
+
+/// Further starts: designs found before, disturbed. Local minima lie close together, so that good
+/// ones lead to better ones more often than what is drawn anew.
+void Search::hop(int hops) {
+  const int known = search_.starts();
+  search_.explore({.starts = known + hops, .round = kHopsInRound}, {kBegun, kHopped},
+                  [&](int first, int count) {
+                    if (search_.all().empty()) return;
+                    std::vector<SegmentDesign> fresh(static_cast<std::size_t>(count),
+                                                     unrefined({}, {}));
+                    search_.for_each(fresh.size(), [&](std::size_t i) {
+                      fresh[i] = disturbed(static_cast<std::uint64_t>(first) + i);
+                      refine_start(fresh[i]);
+                    });
+                    search_.add(std::move(fresh), kSameStart);
+                  });
 }
 
 /// To the least deviation at the size or length at which the limit is expected to be met.
@@ -265,28 +320,28 @@ void Search::approach(SegmentDesign& found, const std::vector<double>& nodes) co
   const double length = sized ? found.segment.length : 1 / found.promise;
   const double size = sized ? found.promise : size_limit(problem_);
   if (!sized && !problem_.goal->length) found.segment.length = length;
-  refine(at_size(problem_, length, size), found, nodes, Solver::ipopt, kFineIterations);
+  refine(at_size(problem_, length, size), found, nodes, Solver::gauss_newton, kFineIterations);
 }
 
 void Search::deepen(std::size_t reserve) {
   merge_and_keep(reserve);
   const std::vector<double> nodes = segment_nodes(kFineCells);
-  search_.refine({kBegun, kDeepened}, [&](SegmentDesign& found) {
+  search_.refine({kHopped, kDeepened}, [&](SegmentDesign& found) {
     SegmentDesign next = found;
     if (objective_ != SegmentObjective::deviation) approach(next, nodes);
-    refine_within(next, nodes, Solver::ipopt);
+    refine_within(next, nodes, own_solver(objective_));
     const bool other = objective_ != SegmentObjective::deviation;  // than that of the start
     if (other || is_better(next, found) || !is_feasible(found)) found = next;
   });
 }
 
-/// Where the interior-point method ends outside the limits another goes on from the same start, and
-/// what is better is kept.
+/// Where the usual solver ends outside the limits another goes on from the same start, and what is
+/// better is kept.
 void Search::refine_within(SegmentDesign& found, const std::vector<double>& nodes,
                            Solver solver) const {
   const SegmentDesign start = found;
   refine(found, nodes, solver, kFineIterations);
-  if (is_feasible(found) || solver != Solver::ipopt) return;
+  if (is_feasible(found) || solver != own_solver(objective_)) return;
   SegmentDesign other = start;
   refine(other, nodes, Solver::slsqp, kMendingIterations);
   if (is_better(other, found)) found = other;
@@ -322,14 +377,22 @@ void Search::finish(std::size_t reserve) {
 
 }  // namespace
 
+Solver last_solver(const StraightLineProblem& problem) {
+  return chosen(problem.solve.solver, own_solver(objective_of(problem)));
+}
+
 SegmentSearchResult search_segments(const StraightLineProblem& problem,
                                     const std::vector<LinkageSegment>& known,
                                     const SegmentEffort& effort, const Run& run,
                                     const Deadline& deadline, Work& work) {
   Search search(problem, run, deadline, work);
   std::vector<SegmentStart> starts;
-  if (effort.starts > 0) starts = search.draw(problem.solve.starts.value_or(effort.starts));
+  if (effort.starts > 0) {
+    const int all = problem.solve.starts.value_or(effort.starts);
+    starts = search.draw((all + kStartsPerDraw - 1) / kStartsPerDraw);
+  }
   search.begin(known, starts);
+  search.hop((kStartsPerDraw - 1) * static_cast<int>(starts.size()));
   // Few starts are worth few of the dearer refinements, more than usual are worth more.
   const std::size_t few = 1 + (starts.size() + known.size()) / 8, many = starts.size() / 20;
   search.deepen(std::max(std::min(effort.deepened, few), many));

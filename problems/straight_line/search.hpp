@@ -8,6 +8,7 @@
 #include "problems/search/statistics.hpp"
 #include "problems/straight_line/segment.hpp"
 #include "problems/straight_line/starts.hpp"
+#include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {
 
@@ -28,10 +29,16 @@ struct SegmentSearchResult {
 
 /// How much a search takes upon itself.
 struct SegmentEffort {
-  int starts = 120;  ///< refined, where the file says nothing; 0: none but known ones
+  /// Refined, where the file says nothing: a third is drawn, the others are good designs disturbed;
+  /// 0: none but known ones.
+  int starts = 360;
   /// Of the best, beyond the designs wanted: how many are refined further, and to the last digit.
   std::size_t deepened = 7, finished = 1;
 };
+
+/// The solver of the last refinement: the file's, or Gauss-Newton for the least deviation and Ipopt
+/// for the greatest length and the least size. All others are by Gauss-Newton.
+synthesis::Solver last_solver(const StraightLineProblem& problem);
 
 /// Optima of a problem in the search's unit (`in_unit`), equal for any number of threads. `known`:
 /// further segments to begin with. Counts what was done in `work`.

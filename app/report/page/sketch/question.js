@@ -16,7 +16,7 @@ const KEPT_CLEAR = ["coupler-point", "B", "C"];
 // whole turn take ten times as long.
 export function startsOf({ angles, ranges, obstacle, straight }) {
   if (ranges) return [16, 128, 512];
-  if (straight) return [5, 40, 160];
+  if (straight) return [15, 120, 480];
   return obstacle ? [15, 60, 250] : [...(angles ? [15] : []), 60, 500, 2500];
 }
 
