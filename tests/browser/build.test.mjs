@@ -486,3 +486,16 @@ test("forces at points of a file are on the page", () => {
     assert.ok(Math.abs(own.abs_max - original.abs_max) < 1e-6 * original.abs_max, `${own.abs_max} is not ${original.abs_max}`);
   });
 });
+
+test("what began at a pin ends with it", () => visit({}, async (page) => {
+  await page.keyboard.press("x");
+  await drawLinks(page, [[[-30, -20], [-22, -8]]]);
+  await choose(page, "link");
+  await click(page, [-22, -8]);
+  await page.keyboard.press("z");
+  assert.deepEqual(await jointsOf(page), {});
+  await click(page, [10, 10]);
+  assert.deepEqual(await jointsOf(page), {});
+  await click(page, [20, 20]);
+  assert.deepEqual(Object.keys(await jointsOf(page)), ["A", "B"]);
+}));

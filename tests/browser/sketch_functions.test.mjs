@@ -124,6 +124,16 @@ test("a pair is dragged, moved by keys, put and removed, and every step undone",
   assert.deepEqual(addressOf(page).pairs, drawn);
 }));
 
+test("a curve out of a file takes the place of the function, whose designs go", () => visit({}, async (page) => {
+  await begin(page);
+  await stroke(page, RISE);
+  await settled(page);
+  await page.locator("#bring-file").setInputFiles({ name: "ring.svg", mimeType: "image/svg+xml", buffer: Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"><ellipse rx="4" ry="3"/></svg>') });
+  await page.waitForFunction(() => document.getElementById("of-curve").getAttribute("aria-pressed") === "true");
+  await settled(page);
+  assert.ok((await facts(page, "size")).length > 0);
+}));
+
 test("by keys alone pairs are put at the cross", () => visit({}, async (page) => {
   await page.keyboard.press("p");
   await page.keyboard.press("p");

@@ -19,7 +19,7 @@ import { Cards } from "./cards.js";
 import { clearCosts, costQuestions, showCost } from "./costs.js";
 import { FrontPanel } from "./front_panel.js";
 import { modeOf, MODES } from "./modes.js";
-import { CLASSES_ASKED, isSlider, liveQuestion, questionsOf, drawingSize } from "./question.js";
+import { CLASSES_ASKED, drawingSize, liveQuestion, questionsOf, suits } from "./question.js";
 import { SketchScene } from "./scene.js";
 import { Search } from "./search.js";
 import { strokeTargets } from "./stroke.js";
@@ -160,7 +160,7 @@ function settle() {
   shown = steps.present;
   held = dragged = null;
   search?.cancel();
-  if (!isEnough()) askForMore(); else if (scene.candidates.some(({ entry }) => isSlider(entry) !== shown.slides)) offer([], 0);
+  if (!isEnough()) askForMore(); else if (!scene.candidates.every(({ entry }) => suits(entry, shown))) offer([], 0);
   showState();
   keepAddress();
   solve();

@@ -100,11 +100,15 @@ const asKnownSlider = ({ mechanism: m, crank_deg: cranks }) =>
 const asKnownGenerator = ({ mechanism: m, input_start_deg: input, output_start_deg: output }) =>
   [m.crank, m.coupler, m.rocker, Math.hypot(...m.fixed_pivots[1].map((x, k) => x - m.fixed_pivots[0][k])), m.assembly === "open" ? 1 : 0, input, output];
 
-export const isSlider = ({ mechanism }) => mechanism.type === "slider-crank";
+const isSlider = ({ mechanism }) => mechanism.type === "slider-crank";
 
-// The designs shown that are mechanisms of the same kind for targets of the same kind and, but for functions, as many.
-function knownOf({ points, ranges, slides, straight }, candidates) {
-  const entries = candidates.map(({ entry }) => entry).filter((entry) => (entry.input_start_deg !== undefined) === Boolean(ranges) && isSlider(entry) === Boolean(slides) && (entry.direction_deg !== undefined) === Boolean(straight));
+// Whether a design is a mechanism of the same kind for targets of the same kind.
+export const suits = (entry, { angles, ranges, slides, straight }) => isSlider(entry) === Boolean(slides)
+  && [[entry.input_start_deg, ranges], [entry.body_angle_deg, angles], [entry.direction_deg, straight]].every(([own, asked]) => (own !== undefined) === Boolean(asked));
+
+// Of the designs shown those that suit and, but for functions, are for as many targets.
+function knownOf(state, candidates) {
+  const { points, ranges, slides, straight } = state, entries = candidates.map(({ entry }) => entry).filter((entry) => suits(entry, state));
   if (straight) return entries.map(asKnown);
   return ranges ? entries.map(asKnownGenerator) : entries.filter(({ crank_deg: cranks }) => cranks.length === points.length).map(slides ? asKnownSlider : asKnown);
 }
