@@ -163,6 +163,41 @@ test("the address holds the function and its design", () => visit({}, async (pag
   assert.ok((await facts(page, "rms")).some((rms) => rms === before.rms));
 }));
 
+const expressionOf = (page) => page.evaluate(() => ["expression", "domain-from", "domain-to"].map((id) => document.getElementById(id).value));
+
+test("the address holds the expression as long as it is that of the pairs", () => visit({}, async (page) => {
+  await begin(page);
+  await type(page, "x^2 + min(x, 1)", [-0.5, 2]);
+  await settled(page);
+  const { pairs } = addressOf(page), address = page.url();
+  await page.goto("about:blank");
+  await page.goto(address);
+  await settled(page);
+  assert.deepEqual(await expressionOf(page), ["x^2 + min(x, 1)", "-0.5", "2"]);
+  assert.deepEqual(addressOf(page).pairs, pairs);
+  assert.match(page.url(), /&x=x/);
+  await page.locator("#input-range").fill("33");
+  await page.keyboard.press("Enter");
+  await settled(page);
+  assert.match(page.url(), /&x=x/);
+  await page.locator('[data-target="3"]').focus();
+  await page.keyboard.press("ArrowUp");
+  await settled(page);
+  assert.doesNotMatch(page.url(), /&x=/);
+  await page.keyboard.press("Control+z");
+  assert.match(page.url(), /&x=x/);
+}));
+
+for (const wrong of ["sqrt(x,0,1", "x^3,0,1", "%E0,0,1", "x,1,0", "x", ",0,1"]) {
+  test(`an expression of an address that gives other pairs or none goes: ${wrong}`, () => visit({ hash: `#p=0,0;45,30;90,60&f=90,60&x=${wrong}` }, async (page) => {
+    await settled(page);
+    assert.equal(await targets(page), 3);
+    assert.doesNotMatch(page.url(), /&x=/);
+    assert.ok(["", "log10(x)"].includes((await expressionOf(page))[0]));
+    assertAsSaid(page);
+  }));
+}
+
 const THREE = "p=0,0;45,20;90,60";
 for (const damaged of [`${THREE}&f=90`, `${THREE}&f=0,60`, `${THREE}&f=90,0`, `${THREE}&f=-90,60`, `${THREE}&f=90,-60`, `${THREE}&f=80,60`, "p=0,0;45,20;20,60&f=90,60", "p=0,0,0;45,20,0;90,60,1&f=90,60",
   `${THREE}&f=90,60&d=1,2,3`, `${THREE}&f=90,60&d=1,-2,3,4,5,6,7,8,9;open;crank-rocker`, `${THREE}&f=90,60&d=1,2,3,40,5,6,7,8,9;open;crank-rocker`, `${THREE}&f=90,60&d=1,2,3,4,5,6,7,8,9;open;<b>`, `${THREE}&f=90,60&d=1,0.6,0.6,1.2,0,0,7,8,9;open;triple-rocker`]) {

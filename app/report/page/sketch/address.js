@@ -1,5 +1,5 @@
 // The sketch and a design of it at the end of the address: #p=x,y;x,y&…, each part by a letter; a pose is x,y,degrees; where there
-// are ranges of a function a point is a pair of its angles.
+// are ranges of a function a point is a pair of its angles, and x=expression,from,to what was typed for them.
 
 import { LANGUAGES } from "../words.js";
 import { withoutRounding } from "../rounding.js";
@@ -11,6 +11,7 @@ import { sliderOf, sliderText } from "./slider_text.js";
 
 const PLACES_OF_LINE = 3;
 const FARTHEST = 1e6;              // units of the sheet; pictures hold no places much farther
+const LONGEST_EXPRESSION = 400;
 const LEAST = [0, 70], REACH = [1, 10];
 
 const numbersOf = (text) => text.split(",").map(Number);
@@ -52,11 +53,24 @@ function boxIn(text = "") {
   return bounds.length === 4 && arePlaces(bounds) && x0 <= x1 && y0 <= y1 ? [[x0, y0], [x1, y1]] : null;
 }
 
+const typedPart = (typed) => (typed ? [`x=${encodeURIComponent(typed.text)},${typed.domain.join(",")}`] : []);
+
+// An expression that was typed, and from where to where x goes; null where the text says none.
+function typedIn(text = "") {
+  const parts = text.split(","), domain = parts.slice(-2).map(Number);
+  try {
+    const written = decodeURIComponent(parts.slice(0, -2).join(","));
+    return written !== "" && written.length <= LONGEST_EXPRESSION && areFinite(domain) && domain[0] < domain[1] ? { text: written, domain } : null;
+  } catch {
+    return null;   // a damaged escape
+  }
+}
+
 // What stands behind the # for a state and, perhaps, the entry of a design.
 export function addressOf(state, entry) {
-  const { points, angles, ranges, closed, stroke, slides, straight, class: asked, least, reach, region, obstacle } = state;
+  const { points, angles, ranges, typed, closed, stroke, slides, straight, class: asked, least, reach, region, obstacle } = state;
   const parts = [...location.hash.slice(1).split("&").filter((part) => LANGUAGES.includes(part)), `p=${points.map((p, i) => [...p, ...(angles ? [angles[i]] : [])].join(",")).join(";")}`,
-    `o=${[closed ? "closed" : "open", stroke ? "stroke" : "points", ...(slides ? ["slider"] : straight ? ["line"] : [])].join(",")}`, `l=${[asked, least, reach].join(",")}`, ...(ranges ? [`f=${ranges.join(",")}`] : []), ...boxPart("b", region), ...boxPart("c", obstacle)];
+    `o=${[closed ? "closed" : "open", stroke ? "stroke" : "points", ...(slides ? ["slider"] : straight ? ["line"] : [])].join(",")}`, `l=${[asked, least, reach].join(",")}`, ...(ranges ? [`f=${ranges.join(",")}`] : []), ...typedPart(typed), ...boxPart("b", region), ...boxPart("c", obstacle)];
   return `#${[...parts, ...(entry ? [`d=${textOf(state, entry)}`] : [])].join("&")}`;
 }
 
@@ -74,7 +88,7 @@ export function readAddress(classes) {
   const slides = by === "slider" && width === 2 && !ranges;
   const straight = by === "line" && width === 2 && rows.length <= 2 && !ranges;
   const region = boxIn(parts.b), held = boxIn(parts.c), isArea = held && held[0].every((x, k) => x < held[1][k]);
-  const state = { ranges, slides, straight, region: ranges || straight ? null : region, obstacle: isArea && !ranges && !slides && !straight && turnsFully({ class: asked }) ? held : null, points: rows.map((row) => row.slice(0, 2)), angles: width === 3 ? rows.map((row) => inTurn(row[2])) : null, closed: line === "closed", stroke: drawn === "stroke", ...(classes.includes(asked) && !slides ? { class: asked } : {}),
+  const state = { ranges, typed: ranges && typedIn(parts.x), slides, straight, region: ranges || straight ? null : region, obstacle: isArea && !ranges && !slides && !straight && turnsFully({ class: asked }) ? held : null, points: rows.map((row) => row.slice(0, 2)), angles: width === 3 ? rows.map((row) => inTurn(row[2])) : null, closed: line === "closed", stroke: drawn === "stroke", ...(classes.includes(asked) && !slides ? { class: asked } : {}),
     ...(isWithin(least, LEAST) ? { least: Number(least) } : {}), ...(isWithin(reach, REACH) ? { reach: Number(reach) } : {}) };
   const entry = parts.d ? entryOf(state, parts.d, rows) : null;
   return { state, entry: entry && (ranges || isFor(state, entry)) ? entry : null };

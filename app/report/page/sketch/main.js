@@ -28,7 +28,7 @@ import { Takings } from "./takings.js";
 import { Typed } from "./typed.js";
 
 // `angles`: of poses one for each point, in degrees, else null; `ranges`: of a function, whose points are pairs of angles, those of
-// input and output in degrees, else null.
+// input and output in degrees, else null; `typed`: the expression {text, domain} of these pairs, if they are of one.
 const EMPTY = { ...MODES.curve.empty({}), class: "any", least: 30, reach: 3, region: null, obstacle: null };
 const SHOWN = 3;
 
@@ -43,7 +43,7 @@ const search = Kernel.available ? new Search(take, (text) => announce(say("sketc
 const surface = new Surface(byId("picture"), () => scene.view, { begin: () => search?.cancel(), resume: () => solve(), box: (p, q) => boxes.put(p, q), stroke: (line) => put(modeOf(shown).stroke(shown, line)),
   click: (place, i) => put(modeOf(shown).click(shown, place, i)), drag: (i, place) => follow(modeOf(shown).moved(shown, i, place)), turn: (i, degrees) => follow({ angles: shown.angles.with(i, degrees) }), drop, remove });
 const boxes = new Boxes(surface, { state: () => shown, change, announce: (text) => announce(text), resume: () => solve() });
-const typed = new Typed({ state: () => shown, change, ask: (question) => search?.ask([question]), announce: (text) => announce(text) });
+const typed = new Typed({ state: () => shown, change, ask: (question) => search?.ask([question]), forget: forgetTyped, announce: (text) => announce(text) });
 const read = readAddress(CLASSES_ASKED);
 let steps = new History({ ...EMPTY, ...read?.state });
 // The state shown, which a drag has changed and the history does not hold yet; the design that stays chosen.
@@ -94,7 +94,7 @@ function lookAt(candidate) {
 
 // An answer of the search.
 function take(answer, question) {
-  if (question.typed) { typed.take(answer); return; }
+  if (question.typed) { typed.take(answer, question); return; }
   if (question.limit) { showCost(answer, question, shown, leastError()); return; }
   const found = (answer.designs ?? []).map((entry) => modeOf(shown).candidate(entry, shown));
   if (question.front) takeOfFront(found); else takeFound(answer, found, question);
@@ -144,7 +144,7 @@ function solve(live = false) {
   if (!search || !isEnough()) return;
   if (live) { search.askNewest(liveQuestion(shown, [...new Set([...scene.candidates, ...dragged])])); return; }
   announce(say("sketch.searching"));
-  search.ask(questionsOf(shown, scene.candidates));
+  search.ask([...typed.checks(shown), ...questionsOf(shown, scene.candidates)]);
 }
 
 // States
@@ -153,6 +153,14 @@ function solve(live = false) {
 function change(parts) {
   steps.push({ ...steps.present, ...parts });
   settle();
+}
+
+// An expression that is not that of the pairs.
+function forgetTyped() {
+  steps.amend({ typed: null });
+  shown = { ...shown, typed: null };
+  byId("expression").value = "";
+  keepAddress();
 }
 
 // Shows the present state, and searches for it.
@@ -189,7 +197,7 @@ function showState() {
   byId("least").value = least;
   byId("reach").value = reach;
   showLimits(least, reach);
-  typed.show(ranges);
+  typed.show(ranges, shown.typed);
   boxes.show();
   showTargets();
   followTakings();
@@ -238,8 +246,8 @@ function follow(targets) {
 }
 
 function drop() {
-  const { points, angles } = shown;
-  if (points !== steps.present.points || angles !== steps.present.angles) change({ points, angles });
+  const { points, angles, typed: expression } = shown;
+  if (points !== steps.present.points || angles !== steps.present.angles) change({ points, angles, typed: expression });
 }
 
 function remove(i) {
