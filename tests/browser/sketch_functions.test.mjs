@@ -289,6 +289,26 @@ for (const look of LOOKS) {
   }));
 }
 
+test("in a narrow window the linkage stands below the diagram, and beside it when the window grows wide", () => visit({ size: "phone" }, async (page) => {
+  await begin(page);
+  await stroke(page, RISE);
+  await settled(page);
+  const places = async () => { const [diagram, linkage, sheet] = await Promise.all(["#diagram", "[data-pin=A]", "#sheet"].map((one) => page.locator(one).boundingBox())); return { diagram, linkage, sheet }; };
+  const tall = await places(), before = assertAsSaid(page);
+  assert.ok(tall.diagram.width > 0.65 * tall.sheet.width && tall.linkage.y > tall.diagram.y + tall.diagram.height);
+  await page.setViewportSize({ width: 1100, height: 700 });
+  await page.waitForFunction((width) => document.getElementById("diagram").getBoundingClientRect().width !== width, tall.diagram.width);
+  await settled(page);
+  const wide = await places(), after = assertAsSaid(page);
+  assert.ok(wide.linkage.x > wide.diagram.x + wide.diagram.width);
+  assert.deepEqual([after.pairs, after.bar], [before.pairs, before.bar]);
+  // A pair is where the hand drags it.
+  await page.locator('[data-target="4"]').focus();
+  await page.keyboard.press("Shift+ArrowDown");
+  await settled(page);
+  assertAsSaid(page);
+}));
+
 always("a finger draws a function", () => visit({ size: "phone" }, async (page) => {
   await begin(page);
   await page.locator("#sheet").scrollIntoViewIfNeeded();

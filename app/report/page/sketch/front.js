@@ -20,6 +20,9 @@ const ground = ({ points, angles, ranges, closed, slides, straight, class: asked
 export class Front {
   constructor() { Object.assign(this, { ground: null, pool: [], done: 0, size: 1, least: LEVELS[0] }); }
 
+  // Begins anew with the next state.
+  forget() { this.ground = null; }
+
   // Goes on where the state is another only in the bound, else begins anew.
   follow(state) {
     Object.assign(this, { state, size: drawingSize(state) });

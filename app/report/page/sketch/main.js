@@ -18,6 +18,7 @@ import { differing, nearestTo, withoutNoise } from "./candidate.js";
 import { Cards } from "./cards.js";
 import { clearCosts, costQuestions, showCost } from "./costs.js";
 import { FrontPanel } from "./front_panel.js";
+import { onLayout } from "./layout.js";
 import { modeOf, MODES } from "./modes.js";
 import { CLASSES_ASKED, drawingSize, liveQuestion, questionsOf, suits } from "./question.js";
 import { SketchScene } from "./scene.js";
@@ -292,6 +293,7 @@ function listen() {
   new Saves(byId("stage"), byId("picture"), { title: () => "sketch", go: (share) => goTo(filmed([0, 360, true], share), true), back: () => goTo(0) });
   new Bringings(byId("stage"), { curve: (line) => change({ ...EMPTY, ...limits(), slides: shown.slides, ...strokeTargets(line), stroke: true }), picture: (picture) => { scene.picture = picture; draw(); }, fault: announce });
   addEventListener("hashchange", openAddress);
+  onLayout(layAnew);
 }
 
 function listenToKeys() {
@@ -316,6 +318,13 @@ function openAddress() {
   if (!other) return;
   steps.push({ ...EMPTY, ...other.state });
   open(other.entry);
+}
+
+// Of a function all has another place in a window that is narrow now, or no longer.
+function layAnew() {
+  if (!shown.ranges) return;
+  panel.front.forget();
+  open(scene.candidates[scene.chosen]?.entry);
 }
 
 // Begins with the design of the address, if any.
