@@ -134,6 +134,21 @@ test("a curve out of a file takes the place of the function, whose designs go", 
   assert.ok((await facts(page, "size")).length > 0);
 }));
 
+test("from the address of a function to that of a curve and back", () => visit({ hash: "#p=0,0;45,30;90,50&f=90,60" }, async (page) => {
+  await settled(page);
+  const own = new URL(page.url()).hash;
+  const goTo = (hash) => page.evaluate((to) => { location.hash = to; }, hash);
+  await goTo("#p=-20,0;0,14;20,0;0,-11&o=closed,points");
+  await settled(page);
+  const curve = new URL(page.url()).hash;
+  for (const [hash, kind] of [[own, "function"], [curve, "curve"], [own, "function"]]) {
+    await goTo(hash);
+    await settled(page);
+    assert.equal(await page.locator(`#of-${kind}`).getAttribute("aria-pressed"), "true");
+  }
+  assertAsSaid(page);
+}));
+
 test("by keys alone pairs are put at the cross", () => visit({}, async (page) => {
   await page.keyboard.press("p");
   await page.keyboard.press("p");

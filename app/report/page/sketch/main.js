@@ -169,10 +169,19 @@ function settle() {
   shown = steps.present;
   held = dragged = null;
   search?.cancel();
-  if (!isEnough()) askForMore(); else if (!scene.candidates.every(({ entry }) => suits(entry, shown))) offer([], 0);
+  leaveOthers();
+  if (!isEnough()) askForMore();
   showState();
   keepAddress();
   solve();
+}
+
+// Designs of another kind of drawing cannot be drawn in this one.
+function leaveOthers() {
+  scene.targets = shown;
+  if ([...scene.candidates, ...(scene.looked ? [scene.looked] : [])].every(({ entry }) => suits(entry, shown))) return;
+  scene.looked = null;
+  offer([], 0);
 }
 
 function askForMore() {
@@ -339,6 +348,7 @@ function hold(candidate, others = []) {
   search?.cancel();
   held = candidate;
   dragged = null;
+  leaveOthers();
   const candidates = held ? differing([held, ...others], SHOWN, drawingSize(shown), held) : [];
   if (held || isEnough()) offer(candidates, Math.max(0, candidates.indexOf(held))); else askForMore();
   showState();
