@@ -6,13 +6,14 @@ import { withoutRounding } from "../rounding.js";
 import { turnsFully } from "./boxes.js";
 import { generatorOf, generatorText } from "./generator_text.js";
 import { areSound } from "./pairs.js";
+import { ANY_SPEED } from "./question.js";
 import { inTurn } from "./posed.js";
 import { sliderOf, sliderText } from "./slider_text.js";
 
 const PLACES_OF_LINE = 3;
 const FARTHEST = 1e6;              // units of the sheet; pictures hold no places much farther
 const LONGEST_EXPRESSION = 400;
-const LEAST = [0, 70], REACH = [1, 10];
+const LEAST = [0, 70], REACH = [1, 10], EVEN = [5, ANY_SPEED];
 
 const numbersOf = (text) => text.split(",").map(Number);
 const areFinite = (numbers) => numbers.every(Number.isFinite);
@@ -68,9 +69,9 @@ function typedIn(text = "") {
 
 // What stands behind the # for a state and, perhaps, the entry of a design.
 export function addressOf(state, entry) {
-  const { points, angles, ranges, typed, closed, stroke, slides, straight, class: asked, least, reach, region, obstacle } = state;
+  const { points, angles, ranges, typed, closed, stroke, slides, straight, class: asked, least, reach, even, region, obstacle } = state;
   const parts = [...location.hash.slice(1).split("&").filter((part) => LANGUAGES.includes(part)), `p=${points.map((p, i) => [...p, ...(angles ? [angles[i]] : [])].join(",")).join(";")}`,
-    `o=${[closed ? "closed" : "open", stroke ? "stroke" : "points", ...(slides ? ["slider"] : straight ? ["line"] : [])].join(",")}`, `l=${[asked, least, reach].join(",")}`, ...(ranges ? [`f=${ranges.join(",")}`] : []), ...typedPart(typed), ...boxPart("b", region), ...boxPart("c", obstacle)];
+    `o=${[closed ? "closed" : "open", stroke ? "stroke" : "points", ...(slides ? ["slider"] : straight ? ["line"] : [])].join(",")}`, `l=${[asked, least, reach, ...(straight && even < ANY_SPEED ? [even] : [])].join(",")}`, ...(ranges ? [`f=${ranges.join(",")}`] : []), ...typedPart(typed), ...boxPart("b", region), ...boxPart("c", obstacle)];
   return `#${[...parts, ...(entry ? [`d=${textOf(state, entry)}`] : [])].join("&")}`;
 }
 
@@ -80,7 +81,7 @@ export function readAddress(classes) {
   if (!parts.p) return null;
   const rows = parts.p.split(";").map(numbersOf);
   const width = rows[0].length;
-  const [asked, least, reach] = (parts.l ?? "").split(",");
+  const [asked, least, reach, even = ""] = (parts.l ?? "").split(",");
   const [line, drawn, by] = (parts.o ?? "").split(",");
   if (![2, 3].includes(width) || !rows.every((row) => row.length === width && arePlaces(row))) return null;
   const ranges = parts.f ? numbersOf(parts.f) : null;
@@ -89,7 +90,7 @@ export function readAddress(classes) {
   const straight = by === "line" && width === 2 && rows.length <= 2 && !ranges;
   const region = boxIn(parts.b), held = boxIn(parts.c), isArea = held && held[0].every((x, k) => x < held[1][k]);
   const state = { ranges, typed: ranges && typedIn(parts.x), slides, straight, region: ranges || straight ? null : region, obstacle: isArea && !ranges && !slides && !straight && turnsFully({ class: asked }) ? held : null, points: rows.map((row) => row.slice(0, 2)), angles: width === 3 ? rows.map((row) => inTurn(row[2])) : null, closed: line === "closed", stroke: drawn === "stroke", ...(classes.includes(asked) && !slides ? { class: asked } : {}),
-    ...(isWithin(least, LEAST) ? { least: Number(least) } : {}), ...(isWithin(reach, REACH) ? { reach: Number(reach) } : {}) };
+    ...(isWithin(least, LEAST) ? { least: Number(least) } : {}), ...(isWithin(reach, REACH) ? { reach: Number(reach) } : {}), ...(straight && isWithin(even, EVEN) ? { even: Number(even) } : {}) };
   const entry = parts.d ? entryOf(state, parts.d, rows) : null;
   return { state, entry: entry && (ranges || isFor(state, entry)) ? entry : null };
 }

@@ -15,12 +15,12 @@ import { addressOf, readAddress } from "./address.js";
 import { Boxes, withClass } from "./boxes.js";
 import { Bringings } from "./bringings.js";
 import { differing, nearestTo, withoutNoise } from "./candidate.js";
-import { Cards } from "./cards.js";
+import { Cards, percent } from "./cards.js";
 import { clearCosts, costQuestions, showCost } from "./costs.js";
 import { FrontPanel } from "./front_panel.js";
 import { onLayout } from "./layout.js";
 import { modeOf, MODES } from "./modes.js";
-import { CLASSES_ASKED, drawingSize, liveQuestion, questionsOf, suits } from "./question.js";
+import { ANY_SPEED, CLASSES_ASKED, drawingSize, liveQuestion, questionsOf, suits } from "./question.js";
 import { SketchScene } from "./scene.js";
 import { Search } from "./search.js";
 import { strokeTargets } from "./stroke.js";
@@ -30,7 +30,7 @@ import { Typed } from "./typed.js";
 
 // `angles`: of poses one for each point, in degrees, else null; `ranges`: of a function, whose points are pairs of angles, those of
 // input and output in degrees, else null; `typed`: the expression {text, domain} of these pairs, if they are of one.
-const EMPTY = { ...MODES.curve.empty({}), class: "any", least: 30, reach: 3, region: null, obstacle: null };
+const EMPTY = { ...MODES.curve.empty({}), class: "any", least: 30, reach: 3, even: ANY_SPEED, region: null, obstacle: null };
 const SHOWN = 3;
 
 const scene = new SketchScene(byId("picture"), say("sketch.picture"));
@@ -191,7 +191,7 @@ function askForMore() {
 }
 
 function showState() {
-  const { points, ranges, closed, slides, class: asked, least, reach } = shown, mode = modeOf(shown);
+  const { points, ranges, closed, slides, class: asked, least, reach, even } = shown, mode = modeOf(shown);
   byId("undo").disabled = !steps.canUndo;
   byId("redo").disabled = !steps.canRedo;
   byId("clear").disabled = points.length === 0;
@@ -206,7 +206,8 @@ function showState() {
   byId("class").value = asked;
   byId("least").value = least;
   byId("reach").value = reach;
-  showLimits(least, reach);
+  byId("even").value = even;
+  showLimits({ least, reach, even });
   typed.show(ranges, shown.typed);
   boxes.show();
   showTargets();
@@ -223,9 +224,10 @@ function showHandles() {
   surface.show(places(shown), shown.angles, (i) => label(shown, i), shown.straight);
 }
 
-function showLimits(least, reach) {
+function showLimits({ least, reach, even }) {
   byId("least-value").textContent = degrees(least, 0);
   byId("reach-value").textContent = say(modeOf(shown).times, { value: number(reach) });
+  byId("even-value").textContent = even < ANY_SPEED ? percent(even / 100) : say("sketch.any_speed");
 }
 
 // Not over an address that another hand has put there and that is about to be opened.
@@ -273,7 +275,7 @@ function step(sense) {
 const clear = () => change(modeOf(shown).empty(shown));
 const toggleClosed = () => { if (modeOf(shown) === MODES.curve) change({ closed: !shown.closed }); };
 
-const limits = () => ({ class: shown.class, least: shown.least, reach: shown.reach, region: shown.region, obstacle: shown.obstacle });
+const limits = () => ({ class: shown.class, least: shown.least, reach: shown.reach, even: shown.even, region: shown.region, obstacle: shown.obstacle });
 
 // What is drawn from now on; what there was of another kind goes.
 function drawAnother(mode) { if (mode !== modeOf(shown)) change({ ...limits(), ...mode.empty({}) }); }
@@ -291,8 +293,9 @@ function listen() {
   byId("by-slider").addEventListener("click", () => searchFor(true));
   byId("class").append(...CLASSES_ASKED.map((name) => element("option", { value: name }, name === "any" ? say("sketch.any_class") : sentence(term(name)))));
   byId("class").addEventListener("change", (event) => change(withClass(event.target.value)));
-  for (const id of ["least", "reach"]) {
-    byId(id).addEventListener("input", () => showLimits(byId("least").valueAsNumber, byId("reach").valueAsNumber));
+  const sliders = ["least", "reach", "even"];
+  for (const id of sliders) {
+    byId(id).addEventListener("input", () => showLimits(Object.fromEntries(sliders.map((name) => [name, byId(name).valueAsNumber]))));
     byId(id).addEventListener("change", (event) => change({ [id]: event.target.valueAsNumber }));
   }
   byId("drive").addEventListener("input", (event) => goTo(event.target.valueAsNumber, true));
@@ -320,11 +323,11 @@ function listenToKeys() {
   listenToUndo(step);
 }
 
-// Another sketch in the address, pasted or gone back to.
+// Another sketch in the address, pasted or gone back to; of one that holds none the address becomes that of what is shown.
 function openAddress() {
   kept = location.href;
   const other = readAddress(CLASSES_ASKED);
-  if (!other) return;
+  if (!other) { keepAddress(); return; }
   steps.push({ ...EMPTY, ...other.state });
   open(other.entry);
 }

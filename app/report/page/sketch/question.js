@@ -42,6 +42,9 @@ function pivotsWithin({ points, region, reach }, size) {
   return [[short(x - far), short(y - far)], [short(x + far), short(y + far)]];
 }
 
+// Of a line, in percent: from here on the speed along it may vary as it likes.
+export const ANY_SPEED = 100;
+
 // Longer links beside short ones are always straighter.
 const RATIO_OF_LINE = 10;
 
@@ -55,7 +58,7 @@ const limitsOfChain = ({ least }, length, pivots) => ({ bounds: { length, pivots
 function limitsOf(state) {
   const { ranges, reach, obstacle } = state;
   if (ranges) return { constraints: { ...commonLimits(state), link_ratio_max: reach } };
-  if (state.straight) return { constraints: { ...commonLimits(state), size_over_length_max: reach, link_ratio_max: RATIO_OF_LINE } };
+  if (state.straight) return { constraints: { ...commonLimits(state), size_over_length_max: reach, link_ratio_max: RATIO_OF_LINE, ...(state.even < ANY_SPEED ? { speed_variation_max: state.even / 100 } : {}) } };
   const size = drawingSize(state), within = pivotsWithin(state, size), length = [short(SHORTEST * size), short(reach * size)];
   if (state.slides) return limitsOfChain(state, length, within);
   return { bounds: { length, pivot_a: within, pivot_d: within },
