@@ -6,7 +6,7 @@ const SIDE_BY_SIDE = { sheet: { x0: -60, y0: -42, x1: 60, y1: 42 }, diagram: { x
 const STACKED = { sheet: { x0: -40, y0: -66, x1: 40, y1: 66 }, diagram: { x0: -27, y0: 3, x1: 37, y1: 54 }, errors: { y0: -22, y1: -13 }, stage: { x0: -36, y0: -64, x1: 36, y1: -26 } };
 
 // As the style sheets have it.
-const narrow = globalThis.matchMedia?.("(max-width: 39.99rem)");
+const narrow = typeof matchMedia === "undefined" ? null : matchMedia("(max-width: 39.99rem)");
 
 export const layout = () => (narrow?.matches ? STACKED : SIDE_BY_SIDE);
 export const onLayout = (act) => narrow?.addEventListener("change", act);
