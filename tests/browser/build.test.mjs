@@ -497,3 +497,16 @@ test("what began at a pin ends with it", () => visit({}, async (page) => {
   await click(page, [30, -20]);
   assert.deepEqual(Object.keys(await jointsOf(page)), ["A", "B", "C", "D"]);
 }));
+
+test("an address without a mechanism gives way to that of the one shown", () => visit({}, async (page) => {
+  await buildFourBar(page);
+  const address = page.url();
+  for (const hash of ["#j=A,0", "#"]) {
+    await page.evaluate((to) => { location.hash = to; }, hash);
+    await page.waitForFunction((to) => location.href === to, address);
+    if (hash !== "#") assert.equal(await saidOf(page), "The address holds no mechanism that this page could read.");
+  }
+  await page.reload();
+  await moving(page);
+  assert.equal(Object.keys(await jointsOf(page)).length, 5);
+}));
