@@ -486,3 +486,27 @@ test("forces at points of a file are on the page", () => {
     assert.ok(Math.abs(own.abs_max - original.abs_max) < 1e-6 * original.abs_max, `${own.abs_max} is not ${original.abs_max}`);
   });
 });
+
+test("what began at a pin ends with it", () => visit({}, async (page) => {
+  await drawLinks(page, [[[-30, -20], [-22, -8]], [[0, 0], [8, 6]]]);
+  await choose(page, "link");
+  await click(page, [8, 6]);
+  await page.keyboard.press("z");
+  await click(page, [20, -20]);
+  assert.deepEqual(Object.keys(await jointsOf(page)), ["A", "B"]);
+  await click(page, [30, -20]);
+  assert.deepEqual(Object.keys(await jointsOf(page)), ["A", "B", "C", "D"]);
+}));
+
+test("an address without a mechanism gives way to that of the one shown", () => visit({}, async (page) => {
+  await buildFourBar(page);
+  const address = page.url();
+  for (const hash of ["#j=A,0", "#"]) {
+    await page.evaluate((to) => { location.hash = to; }, hash);
+    await page.waitForFunction((to) => location.href === to, address);
+    if (hash !== "#") assert.equal(await saidOf(page), "The address holds no mechanism that this page could read.");
+  }
+  await page.reload();
+  await moving(page);
+  assert.equal(Object.keys(await jointsOf(page)).length, 5);
+}));

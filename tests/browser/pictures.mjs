@@ -79,6 +79,7 @@ async function drawStrokes(page, strokes) {
     for (const point of stroke) await page.mouse.move(...at(point));
     await page.mouse.up();
   }
+  await page.mouse.move(0, 0);
   // Until the longest search and the front have ended.
   await page.waitForFunction(() => document.querySelectorAll(".design-card").length === 3 && /^The least error/.test(document.getElementById("front-note").textContent), undefined, { timeout: 240000 });
 }

@@ -140,6 +140,25 @@ for (const hash of some(["#p=1,2;3", "#p=x,y", "#d=1,2", "#p=1,2;3,4;5,6&d=1,2,3
   }));
 }
 
+test("an address without a sketch gives way to that of the sketch shown", () => visit({}, async (page) => {
+  await draw(page, ellipse);
+  await settled(page);
+  const address = page.url();
+  for (const hash of ["#p=0,0,0&f=1", "#", "#p=1,1e9"]) {
+    await page.evaluate((to) => { location.hash = to; }, hash);
+    await page.waitForFunction((to) => location.href === to, address);
+  }
+}));
+
+test("limits of an address that are none, and places beyond every sheet, are left out", async () => {
+  await visit({ hash: "#p=1,2;30,4;5,36&l=any,1000,1e9" }, async (page) => {
+    assert.deepEqual([await page.locator("#least").inputValue(), await page.locator("#reach").inputValue()], ["30", "3"]);
+    await settled(page);
+    for (const least of await facts(page, "least")) assert.ok(least >= 30 - 1e-6);
+  });
+  await visit({ hash: "#p=1,2;1e300,4;5,36" }, async (page) => assert.equal(await targets(page), 0));
+});
+
 test("the files that are taken along are sound", () => visit({}, async (page) => {
   await draw(page, ellipse);
   await settled(page);

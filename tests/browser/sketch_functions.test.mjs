@@ -124,6 +124,31 @@ test("a pair is dragged, moved by keys, put and removed, and every step undone",
   assert.deepEqual(addressOf(page).pairs, drawn);
 }));
 
+test("a curve out of a file takes the place of the function, whose designs go", () => visit({}, async (page) => {
+  await begin(page);
+  await stroke(page, RISE);
+  await settled(page);
+  await page.locator("#bring-file").setInputFiles({ name: "ring.svg", mimeType: "image/svg+xml", buffer: Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"><ellipse rx="4" ry="3"/></svg>') });
+  await page.waitForFunction(() => document.getElementById("of-curve").getAttribute("aria-pressed") === "true");
+  await settled(page);
+  assert.ok((await facts(page, "size")).length > 0);
+}));
+
+test("from the address of a function to that of a curve and back", () => visit({ hash: "#p=0,0;45,30;90,50&f=90,60" }, async (page) => {
+  await settled(page);
+  const own = new URL(page.url()).hash;
+  const goTo = (hash) => page.evaluate((to) => { location.hash = to; }, hash);
+  await goTo("#p=-20,0;0,14;20,0;0,-11&o=closed,points");
+  await settled(page);
+  const curve = new URL(page.url()).hash;
+  for (const [hash, kind] of [[own, "function"], [curve, "curve"], [own, "function"]]) {
+    await goTo(hash);
+    await settled(page);
+    assert.equal(await page.locator(`#of-${kind}`).getAttribute("aria-pressed"), "true");
+  }
+  assertAsSaid(page);
+}));
+
 test("by keys alone pairs are put at the cross", () => visit({}, async (page) => {
   await page.keyboard.press("p");
   await page.keyboard.press("p");
@@ -152,6 +177,41 @@ test("the address holds the function and its design", () => visit({}, async (pag
   assert.deepEqual(after.bar, before.bar);
   assert.ok((await facts(page, "rms")).some((rms) => rms === before.rms));
 }));
+
+const expressionOf = (page) => page.evaluate(() => ["expression", "domain-from", "domain-to"].map((id) => document.getElementById(id).value));
+
+test("the address holds the expression as long as it is that of the pairs", () => visit({}, async (page) => {
+  await begin(page);
+  await type(page, "x^2 + min(x, 1)", [-0.5, 2]);
+  await settled(page);
+  const { pairs } = addressOf(page), address = page.url();
+  await page.goto("about:blank");
+  await page.goto(address);
+  await settled(page);
+  assert.deepEqual(await expressionOf(page), ["x^2 + min(x, 1)", "-0.5", "2"]);
+  assert.deepEqual(addressOf(page).pairs, pairs);
+  assert.match(page.url(), /&x=x/);
+  await page.locator("#input-range").fill("33");
+  await page.keyboard.press("Enter");
+  await settled(page);
+  assert.match(page.url(), /&x=x/);
+  await page.locator('[data-target="3"]').focus();
+  await page.keyboard.press("ArrowUp");
+  await settled(page);
+  assert.doesNotMatch(page.url(), /&x=/);
+  await page.keyboard.press("Control+z");
+  assert.match(page.url(), /&x=x/);
+}));
+
+for (const wrong of ["sqrt(x,0,1", "x^3,0,1", "%E0,0,1", "x,1,0", "x", ",0,1"]) {
+  test(`an expression of an address that gives other pairs or none goes: ${wrong}`, () => visit({ hash: `#p=0,0;45,30;90,60&f=90,60&x=${wrong}` }, async (page) => {
+    await settled(page);
+    assert.equal(await targets(page), 3);
+    assert.doesNotMatch(page.url(), /&x=/);
+    assert.ok(["", "log10(x)"].includes((await expressionOf(page))[0]));
+    assertAsSaid(page);
+  }));
+}
 
 const THREE = "p=0,0;45,20;90,60";
 for (const damaged of [`${THREE}&f=90`, `${THREE}&f=0,60`, `${THREE}&f=90,0`, `${THREE}&f=-90,60`, `${THREE}&f=90,-60`, `${THREE}&f=80,60`, "p=0,0;45,20;20,60&f=90,60", "p=0,0,0;45,20,0;90,60,1&f=90,60",
@@ -243,6 +303,26 @@ for (const look of LOOKS) {
     assert.equal(await page.locator("#diagram").count(), 0);
   }));
 }
+
+test("in a narrow window the linkage stands below the diagram, and beside it when the window grows wide", () => visit({ size: "phone" }, async (page) => {
+  await begin(page);
+  await stroke(page, RISE);
+  await settled(page);
+  const places = async () => { const [diagram, linkage, sheet] = await Promise.all(["#diagram", "[data-pin=A]", "#sheet"].map((one) => page.locator(one).boundingBox())); return { diagram, linkage, sheet }; };
+  const tall = await places(), before = assertAsSaid(page);
+  assert.ok(tall.diagram.width > 0.65 * tall.sheet.width && tall.linkage.y > tall.diagram.y + tall.diagram.height);
+  await page.setViewportSize({ width: 1100, height: 700 });
+  await page.waitForFunction((width) => document.getElementById("diagram").getBoundingClientRect().width !== width, tall.diagram.width);
+  await settled(page);
+  const wide = await places(), after = assertAsSaid(page);
+  assert.ok(wide.linkage.x > wide.diagram.x + wide.diagram.width);
+  assert.deepEqual([after.pairs, after.bar], [before.pairs, before.bar]);
+  // A pair is where the hand drags it.
+  await page.locator('[data-target="4"]').focus();
+  await page.keyboard.press("Shift+ArrowDown");
+  await settled(page);
+  assertAsSaid(page);
+}));
 
 always("a finger draws a function", () => visit({ size: "phone" }, async (page) => {
   await begin(page);

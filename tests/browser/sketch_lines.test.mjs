@@ -83,6 +83,25 @@ test("while an end is dragged the same designs follow", () => visit({}, async (p
   assert.ok(after.rms <= followed * (1 + 1e-3));
 }));
 
+test("the speed along the line varies within its limit, which the address and the file hold", () => visit({}, async (page) => {
+  await rulesA(page);
+  await page.locator("#even").evaluate((slider) => { slider.value = 30; for (const name of ["input", "change"]) slider.dispatchEvent(new Event(name)); });
+  await settled(page);
+  const speeds = await facts(page, "speed"), design = addressOf(page);
+  assert.ok(speeds.length > 0 && speeds.every((one) => one <= 0.3 + 1e-6), `${speeds}`);
+  // The same of the positions alone: of equal steps of the crank those along the line.
+  const [from, to] = [design.cranks[0], design.cranks.at(-1)], places = Array.from({ length: FINE + 1 }, (_, i) => couplerPose(design, (from + ((to - from) * i) / FINE) * RADIANS).at);
+  const [p, q] = design.points, length = Math.hypot(q[0] - p[0], q[1] - p[1]), along = places.map(([x, y]) => ((x - p[0]) * (q[0] - p[0]) + (y - p[1]) * (q[1] - p[1])) / length);
+  const steps = along.slice(1).map((at, i) => Math.abs(at - along[i])), mean = Math.abs(along.at(-1) - along[0]) / FINE, variation = (Math.max(...steps) - Math.min(...steps)) / mean;
+  assert.ok(variation <= 0.3 + 1e-3 && speeds.some((one) => Math.abs(one - variation) < 1e-3), `${variation} of ${speeds}`);
+  await page.locator("[data-take=copy_problem]").click();
+  assert.match(await page.locator("#taken").inputValue(), /speed_variation_max = 0\.3/);
+  await page.reload();
+  assert.equal(await page.locator("#even").inputValue(), "30");
+  await page.locator("#of-curve").click();
+  assert.equal(await page.locator("#even").isVisible(), false);
+}));
+
 test("the address holds line and design", () => visit({}, async (page) => {
   await rulesA(page);
   await page.locator("#class").selectOption("crank-rocker");

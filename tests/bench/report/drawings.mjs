@@ -49,3 +49,10 @@ export function drawnFunctionStroke(i) {
   const [rise, bend, wave] = [0.3 + 0.4 * random(), random() - 0.5, 0.2 * (random() - 0.5)];
   return [Array.from({ length: 60 }, (_, k) => k / 59).map((t) => [0.16 + 0.37 * t, 0.56 - 0.5 * (0.15 + rise * t + bend * t * (1 - t) + wave * Math.sin(5 * t))])];
 }
+
+// A line of a length between a tenth and half of the sheet, with a bow.
+export function drawnLine(i) {
+  const random = randomNumbers(123456789 + 7919 * i);
+  const [length, direction, bow] = [0.1 + 0.4 * random(), 2 * Math.PI * random(), 0.1 * (random() - 0.5)], [x, y] = [Math.cos(direction), Math.sin(direction)];
+  return [Array.from({ length: 30 }, (_, k) => k / 29).map((t) => [0.5 + length * (x * (t - 0.5) - y * bow * Math.sin(Math.PI * t)), 0.5 + length * (y * (t - 0.5) + x * bow * Math.sin(Math.PI * t))])];
+}

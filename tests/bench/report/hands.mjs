@@ -1,14 +1,15 @@
 // How the page of `cognate sketch` follows a hand in headless Chromium:
 //   BROWSER_PACKAGES=$PWD/build/release/tests/browser/npm node tests/bench/report/hands.mjs build/release/app/cognate [DRAWINGS [KIND]]
-// Of random strokes, of poses and of functions: from the end of the drawing to the first designs, the time between frames until the
-// search ends, and from a step of a drag to the designs that follow it. KIND: strokes, poses or functions alone. Median, 95 % and worst; on a machine that does
-// other work besides only the first figure means something.
+// Of random strokes, for four-bars and for slider-cranks, of poses, of functions and of straight lines: from the end of the drawing to
+// the first designs, the time between frames until the search ends, and from a step of a drag to the designs that follow it (those of a
+// line without a search). KIND: strokes, sliders, poses, functions or lines alone. Median, 95 % and worst; on a machine that does other
+// work besides only the first figure means something.
 import { execFileSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { launch, open } from "../../browser/browser.mjs";
-import { drawnFunctionStroke, drawnPoses, drawnStroke } from "./drawings.mjs";
+import { drawnFunctionStroke, drawnLine, drawnPoses, drawnStroke } from "./drawings.mjs";
 
 const [program, drawings = "100", only] = process.argv.slice(2);
 const DRAGS = 10;
@@ -73,9 +74,10 @@ const file = path.join(folder, "sketch.html");
 execFileSync(program, ["sketch", "--out", file]);
 const browser = await launch();
 console.log("| drawings | first designs, ms (median / 95 % / worst) | between frames while searching, ms | a step of a drag, ms |\n|---|---|---|---|");
-for (const [name, kind, drawing] of [["strokes", "#of-curve", drawnStroke], ["poses", "#of-poses", drawnPoses], ["functions", "#of-function", drawnFunctionStroke]].filter(([one]) => !only || one === only)) {
+const KINDS = [["strokes", ["#of-curve"], drawnStroke], ["sliders", ["#of-curve", "#by-slider"], drawnStroke], ["poses", ["#of-poses"], drawnPoses], ["functions", ["#of-function"], drawnFunctionStroke], ["lines", ["#of-line"], drawnLine]];
+for (const [name, buttons, drawing] of KINDS.filter(([one]) => !only || one === only)) {
   const { page, faults, close } = await open(browser, file);
-  await page.locator(kind).click();
+  for (const button of buttons) await page.locator(button).click();
   await page.evaluate(watch);
   const first = [];
   for (let i = 0; i < Number(drawings); ++i) {

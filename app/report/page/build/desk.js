@@ -39,7 +39,16 @@ export class Desk {
   #stand(chosen) {
     this.state = this.steps.present;
     this.chosen = this.isThere(chosen) ? chosen : null;
+    this.#forgetGone();
     this.page.settle();
+  }
+
+  // What began at a joint, link or load that is no more ends.
+  #forgetGone() {
+    const isGone = (spot) => spot && [[jointOf, spot.joint], [linkOf, spot.link], [loadOf, spot.load]].some(([of, name]) => name !== undefined && of(this.state, name) === undefined);
+    if (!isGone(this.pending) && !isGone(this.from)) return;
+    Object.assign(this, { pending: null, from: null });
+    this.page.preview(null);
   }
 
   isThere(one) {

@@ -125,10 +125,13 @@ function keepAddress(state) {
   kept = location.href;
 }
 
+// Of one that holds no mechanism the address becomes that of what is shown.
 function openAddress() {
   kept = location.href;
   const other = readState();
-  if (other) desk.change(other, null); else if (other === undefined) { refused = say("build.bad_address"); showText(); }
+  if (other) { desk.change(other, null); return; }
+  keepAddress(desk.state);
+  if (other === undefined) { refused = say("build.bad_address"); showText(); }
 }
 
 // What a hand chooses

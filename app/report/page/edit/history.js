@@ -18,6 +18,9 @@ export class History {
     this.at += 1;
   }
 
+  // The present one with other parts, which is no step.
+  amend(parts) { this.states[this.at] = { ...this.present, ...parts }; }
+
   undo() { this.at -= this.canUndo ? 1 : 0; }
   redo() { this.at += this.canRedo ? 1 : 0; }
 }

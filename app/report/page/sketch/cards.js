@@ -6,7 +6,7 @@ import { say, term } from "../words.js";
 import { withoutNoise } from "./candidate.js";
 import { drawingSize } from "./question.js";
 
-const percent = (share) => `${number(100 * share, 2)}\u00a0%`;
+export const percent = (share) => `${number(100 * share, 2)}\u00a0%`;
 
 // An error of a drawing; of a function in degrees.
 const errorOfDrawing = (error, state) => `${number(withoutNoise(error, drawingSize(state)), 3)}${state.ranges ? "°" : ""}`;

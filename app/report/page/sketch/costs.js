@@ -3,7 +3,7 @@
 import { byId } from "../dom.js";
 import { say } from "../words.js";
 import { rmsText } from "./cards.js";
-import { questionFor } from "./question.js";
+import { ANY_SPEED, questionFor } from "./question.js";
 
 const ANY_REACH = 10;
 const MATTERS = 0.9;   // of the error within all limits: what is not below that is no gain
@@ -14,6 +14,7 @@ const LIMITS = {
   least: { holds: (state) => state.least > 0, without: (state) => ({ ...state, least: 0 }) },
   region: { holds: (state) => state.region !== null, without: (state) => ({ ...state, region: null }) },
   obstacle: { holds: (state) => state.obstacle !== null, without: (state) => ({ ...state, obstacle: null }) },
+  even: { holds: (state) => state.straight && state.even < ANY_SPEED, without: (state) => ({ ...state, even: ANY_SPEED }) },
   reach: { holds: (state) => state.reach < ANY_REACH, without: (state) => ({ ...state, reach: ANY_REACH }) },
 };
 

@@ -15,10 +15,13 @@ const ANGLE_ROUNDING = 1e-6;   // degrees
 const angleOf = ({ entry }) => entry.transmission_acute_min_deg;
 
 // What a front depends on: all of the state but the bound that it varies.
-const ground = ({ points, angles, ranges, closed, slides, straight, class: asked, reach, region, obstacle }) => JSON.stringify([points, angles, ranges, slides && [slides, closed], straight, asked, reach, region, obstacle]);
+const ground = ({ points, angles, ranges, closed, slides, straight, class: asked, reach, even, region, obstacle }) => JSON.stringify([points, angles, ranges, slides && [slides, closed], straight && [even], asked, reach, region, obstacle]);
 
 export class Front {
   constructor() { Object.assign(this, { ground: null, pool: [], done: 0, size: 1, least: LEVELS[0] }); }
+
+  // Begins anew with the next state.
+  forget() { this.ground = null; }
 
   // Goes on where the state is another only in the bound, else begins anew.
   follow(state) {

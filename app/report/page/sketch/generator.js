@@ -4,7 +4,7 @@ import { RADIANS } from "../sampling.js";
 import { Closure } from "../study/closure.js";
 import { boxOf } from "../view.js";
 import { withoutNoise } from "./candidate.js";
-import { placeOf, STAGE } from "./layout.js";
+import { layout, placeOf } from "./layout.js";
 
 const PLACES_OF_MOTION = 120;
 const WHOLE_TURN = 359.99;    // degrees of the input from which on the crank goes round
@@ -15,8 +15,8 @@ const lengthsOf = ({ crank, coupler, rocker, fixed_pivots: [a, d] }) => [crank, 
 // As large as fits the stage, in its middle, A→D level.
 function placed(mechanism, places) {
   const box = boxOf(places), middle = [(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2];
-  const scale = Math.min((STAGE.x1 - STAGE.x0) / (box.x1 - box.x0), (STAGE.y1 - STAGE.y0) / (box.y1 - box.y0));
-  const put = ([x, y]) => [(STAGE.x0 + STAGE.x1) / 2 + scale * (x - middle[0]), (STAGE.y0 + STAGE.y1) / 2 + scale * (y - middle[1])];
+  const { x0, y0, x1, y1 } = layout().stage, scale = Math.min((x1 - x0) / (box.x1 - box.x0), (y1 - y0) / (box.y1 - box.y0));
+  const put = ([x, y]) => [(x0 + x1) / 2 + scale * (x - middle[0]), (y0 + y1) / 2 + scale * (y - middle[1])];
   const { crank, coupler, rocker, fixed_pivots: pivots } = mechanism;
   return { ...mechanism, fixed_pivots: pivots.map(put), crank: scale * crank, coupler: scale * coupler, rocker: scale * rocker };
 }

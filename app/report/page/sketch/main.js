@@ -15,11 +15,12 @@ import { addressOf, readAddress } from "./address.js";
 import { Boxes, withClass } from "./boxes.js";
 import { Bringings } from "./bringings.js";
 import { differing, nearestTo, withoutNoise } from "./candidate.js";
-import { Cards } from "./cards.js";
+import { Cards, percent } from "./cards.js";
 import { clearCosts, costQuestions, showCost } from "./costs.js";
 import { FrontPanel } from "./front_panel.js";
+import { onLayout } from "./layout.js";
 import { modeOf, MODES } from "./modes.js";
-import { CLASSES_ASKED, isSlider, liveQuestion, questionsOf, drawingSize } from "./question.js";
+import { ANY_SPEED, CLASSES_ASKED, drawingSize, liveQuestion, questionsOf, suits } from "./question.js";
 import { SketchScene } from "./scene.js";
 import { Search } from "./search.js";
 import { strokeTargets } from "./stroke.js";
@@ -28,8 +29,8 @@ import { Takings } from "./takings.js";
 import { Typed } from "./typed.js";
 
 // `angles`: of poses one for each point, in degrees, else null; `ranges`: of a function, whose points are pairs of angles, those of
-// input and output in degrees, else null.
-const EMPTY = { ...MODES.curve.empty({}), class: "any", least: 30, reach: 3, region: null, obstacle: null };
+// input and output in degrees, else null; `typed`: the expression {text, domain} of these pairs, if they are of one.
+const EMPTY = { ...MODES.curve.empty({}), class: "any", least: 30, reach: 3, even: ANY_SPEED, region: null, obstacle: null };
 const SHOWN = 3;
 
 const scene = new SketchScene(byId("picture"), say("sketch.picture"));
@@ -43,7 +44,7 @@ const search = Kernel.available ? new Search(take, (text) => announce(say("sketc
 const surface = new Surface(byId("picture"), () => scene.view, { begin: () => search?.cancel(), resume: () => solve(), box: (p, q) => boxes.put(p, q), stroke: (line) => put(modeOf(shown).stroke(shown, line)),
   click: (place, i) => put(modeOf(shown).click(shown, place, i)), drag: (i, place) => follow(modeOf(shown).moved(shown, i, place)), turn: (i, degrees) => follow({ angles: shown.angles.with(i, degrees) }), drop, remove });
 const boxes = new Boxes(surface, { state: () => shown, change, announce: (text) => announce(text), resume: () => solve() });
-const typed = new Typed({ state: () => shown, change, ask: (question) => search?.ask([question]), announce: (text) => announce(text) });
+const typed = new Typed({ state: () => shown, change, ask: (question) => search?.ask([question]), forget: forgetTyped, announce: (text) => announce(text) });
 const read = readAddress(CLASSES_ASKED);
 let steps = new History({ ...EMPTY, ...read?.state });
 // The state shown, which a drag has changed and the history does not hold yet; the design that stays chosen.
@@ -94,7 +95,7 @@ function lookAt(candidate) {
 
 // An answer of the search.
 function take(answer, question) {
-  if (question.typed) { typed.take(answer); return; }
+  if (question.typed) { typed.take(answer, question); return; }
   if (question.limit) { showCost(answer, question, shown, leastError()); return; }
   const found = (answer.designs ?? []).map((entry) => modeOf(shown).candidate(entry, shown));
   if (question.front) takeOfFront(found); else takeFound(answer, found, question);
@@ -144,7 +145,7 @@ function solve(live = false) {
   if (!search || !isEnough()) return;
   if (live) { search.askNewest(liveQuestion(shown, [...new Set([...scene.candidates, ...dragged])])); return; }
   announce(say("sketch.searching"));
-  search.ask(questionsOf(shown, scene.candidates));
+  search.ask([...typed.checks(shown), ...questionsOf(shown, scene.candidates)]);
 }
 
 // States
@@ -155,15 +156,32 @@ function change(parts) {
   settle();
 }
 
+// An expression that is not that of the pairs.
+function forgetTyped() {
+  steps.amend({ typed: null });
+  shown = { ...shown, typed: null };
+  byId("expression").value = "";
+  keepAddress();
+}
+
 // Shows the present state, and searches for it.
 function settle() {
   shown = steps.present;
   held = dragged = null;
   search?.cancel();
-  if (!isEnough()) askForMore(); else if (scene.candidates.some(({ entry }) => isSlider(entry) !== shown.slides)) offer([], 0);
+  leaveOthers();
+  if (!isEnough()) askForMore();
   showState();
   keepAddress();
   solve();
+}
+
+// Designs of another kind of drawing cannot be drawn in this one.
+function leaveOthers() {
+  scene.targets = shown;
+  if ([...scene.candidates, ...(scene.looked ? [scene.looked] : [])].every(({ entry }) => suits(entry, shown))) return;
+  scene.looked = null;
+  offer([], 0);
 }
 
 function askForMore() {
@@ -173,7 +191,7 @@ function askForMore() {
 }
 
 function showState() {
-  const { points, ranges, closed, slides, class: asked, least, reach } = shown, mode = modeOf(shown);
+  const { points, ranges, closed, slides, class: asked, least, reach, even } = shown, mode = modeOf(shown);
   byId("undo").disabled = !steps.canUndo;
   byId("redo").disabled = !steps.canRedo;
   byId("clear").disabled = points.length === 0;
@@ -188,8 +206,9 @@ function showState() {
   byId("class").value = asked;
   byId("least").value = least;
   byId("reach").value = reach;
-  showLimits(least, reach);
-  typed.show(ranges);
+  byId("even").value = even;
+  showLimits({ least, reach, even });
+  typed.show(ranges, shown.typed);
   boxes.show();
   showTargets();
   followTakings();
@@ -205,9 +224,10 @@ function showHandles() {
   surface.show(places(shown), shown.angles, (i) => label(shown, i), shown.straight);
 }
 
-function showLimits(least, reach) {
+function showLimits({ least, reach, even }) {
   byId("least-value").textContent = degrees(least, 0);
   byId("reach-value").textContent = say(modeOf(shown).times, { value: number(reach) });
+  byId("even-value").textContent = even < ANY_SPEED ? percent(even / 100) : say("sketch.any_speed");
 }
 
 // Not over an address that another hand has put there and that is about to be opened.
@@ -238,8 +258,8 @@ function follow(targets) {
 }
 
 function drop() {
-  const { points, angles } = shown;
-  if (points !== steps.present.points || angles !== steps.present.angles) change({ points, angles });
+  const { points, angles, typed: expression } = shown;
+  if (points !== steps.present.points || angles !== steps.present.angles) change({ points, angles, typed: expression });
 }
 
 function remove(i) {
@@ -255,7 +275,7 @@ function step(sense) {
 const clear = () => change(modeOf(shown).empty(shown));
 const toggleClosed = () => { if (modeOf(shown) === MODES.curve) change({ closed: !shown.closed }); };
 
-const limits = () => ({ class: shown.class, least: shown.least, reach: shown.reach, region: shown.region, obstacle: shown.obstacle });
+const limits = () => ({ class: shown.class, least: shown.least, reach: shown.reach, even: shown.even, region: shown.region, obstacle: shown.obstacle });
 
 // What is drawn from now on; what there was of another kind goes.
 function drawAnother(mode) { if (mode !== modeOf(shown)) change({ ...limits(), ...mode.empty({}) }); }
@@ -273,8 +293,9 @@ function listen() {
   byId("by-slider").addEventListener("click", () => searchFor(true));
   byId("class").append(...CLASSES_ASKED.map((name) => element("option", { value: name }, name === "any" ? say("sketch.any_class") : sentence(term(name)))));
   byId("class").addEventListener("change", (event) => change(withClass(event.target.value)));
-  for (const id of ["least", "reach"]) {
-    byId(id).addEventListener("input", () => showLimits(byId("least").valueAsNumber, byId("reach").valueAsNumber));
+  const sliders = ["least", "reach", "even"];
+  for (const id of sliders) {
+    byId(id).addEventListener("input", () => showLimits(Object.fromEntries(sliders.map((name) => [name, byId(name).valueAsNumber]))));
     byId(id).addEventListener("change", (event) => change({ [id]: event.target.valueAsNumber }));
   }
   byId("drive").addEventListener("input", (event) => goTo(event.target.valueAsNumber, true));
@@ -284,6 +305,7 @@ function listen() {
   new Saves(byId("stage"), byId("picture"), { title: () => "sketch", go: (share) => goTo(filmed([0, 360, true], share), true), back: () => goTo(0) });
   new Bringings(byId("stage"), { curve: (line) => change({ ...EMPTY, ...limits(), slides: shown.slides, ...strokeTargets(line), stroke: true }), picture: (picture) => { scene.picture = picture; draw(); }, fault: announce });
   addEventListener("hashchange", openAddress);
+  onLayout(layAnew);
 }
 
 function listenToKeys() {
@@ -301,13 +323,20 @@ function listenToKeys() {
   listenToUndo(step);
 }
 
-// Another sketch in the address, pasted or gone back to.
+// Another sketch in the address, pasted or gone back to; of one that holds none the address becomes that of what is shown.
 function openAddress() {
   kept = location.href;
   const other = readAddress(CLASSES_ASKED);
-  if (!other) return;
+  if (!other) { keepAddress(); return; }
   steps.push({ ...EMPTY, ...other.state });
   open(other.entry);
+}
+
+// Of a function all has another place in a window that is narrow now, or no longer.
+function layAnew() {
+  if (!shown.ranges) return;
+  panel.front.forget();
+  open(scene.candidates[scene.chosen]?.entry);
 }
 
 // Begins with the design of the address, if any.
@@ -322,6 +351,7 @@ function hold(candidate, others = []) {
   search?.cancel();
   held = candidate;
   dragged = null;
+  leaveOthers();
   const candidates = held ? differing([held, ...others], SHOWN, drawingSize(shown), held) : [];
   if (held || isEnough()) offer(candidates, Math.max(0, candidates.indexOf(held))); else askForMore();
   showState();

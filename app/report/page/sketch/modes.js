@@ -11,7 +11,7 @@ import { placedOn, SHORTEST_LINE } from "./ruled.js";
 import { rounded, strokeTargets } from "./stroke.js";
 
 const FIRST_RANGES = [90, 60];
-const NOTHING = { points: [], angles: null, ranges: null, closed: false, stroke: false, slides: false, straight: false };
+const NOTHING = { points: [], angles: null, ranges: null, typed: null, closed: false, stroke: false, slides: false, straight: false };
 
 const posed = ({ points, angles }, place, degrees) => ({ points: [...points, rounded(place)], angles: [...angles, degrees] });
 
@@ -53,13 +53,14 @@ const FUNCTION = {
   label: ({ points }, i) => say("sketch.pair", { name: i + 1, input: number(points[i][0]), output: number(points[i][1]) }),
   stroke({ ranges }, line) {
     const points = pairsOfStroke(line, ranges);
-    return points && { points };
+    return points && { points, typed: null };
   },
   click({ points, ranges }, place, i) {
     const pairs = i === undefined ? withPair(points, place, ranges) : null;
-    return pairs && { points: pairs };
+    return pairs && { points: pairs, typed: null };
   },
-  moved: ({ points, ranges }, i, place) => ({ points: withPairMoved(points, i, place, ranges) }),
+  moved: ({ points, ranges }, i, place) => ({ points: withPairMoved(points, i, place, ranges), typed: null }),
+  removed: ({ points }, i) => ({ points: points.toSpliced(i, 1), typed: null }),
   candidate: (entry, state) => new Generator(entry, state),
 };
 

@@ -9,6 +9,7 @@ const SMOOTHINGS = 12;
 const PAIRS = [9, 24];
 const PAIRS_A_WIDTH = 16;     // of a stroke that goes straight across the diagram
 const APART = 1e-3;           // share of the input range between two pairs
+const SAME = 0.01;            // share of a range
 export const MOST_RANGE = 360;
 
 const pairOf = ([across, upwards], ranges) => rounded([across * ranges[0], upwards * ranges[1]]);
@@ -66,6 +67,12 @@ export const withRanges = (pairs, from, to) => pairs.map((pair) => rounded(pair.
 export function pairsOfValues(values, ranges) {
   const low = Math.min(...values), high = Math.max(...values);
   return values.map((v, i) => pairOf([i / (values.length - 1), high > low ? (v - low) / (high - low) : 0.5], ranges));
+}
+
+// Whether pairs are those, but for the rounding of ranges that were others.
+export function areOfValues(pairs, values, ranges) {
+  const own = pairsOfValues(values, ranges);
+  return pairs.length === own.length && pairs.every((pair, i) => pair.every((v, k) => Math.abs(v - own[i][k]) <= SAME * Math.abs(ranges[k])));
 }
 
 // Whether pairs of an address are of such ranges.

@@ -42,6 +42,9 @@ function pivotsWithin({ points, region, reach }, size) {
   return [[short(x - far), short(y - far)], [short(x + far), short(y + far)]];
 }
 
+// Of a line, in percent: from here on the speed along it may vary as it likes.
+export const ANY_SPEED = 100;
+
 // Longer links beside short ones are always straighter.
 const RATIO_OF_LINE = 10;
 
@@ -55,7 +58,7 @@ const limitsOfChain = ({ least }, length, pivots) => ({ bounds: { length, pivots
 function limitsOf(state) {
   const { ranges, reach, obstacle } = state;
   if (ranges) return { constraints: { ...commonLimits(state), link_ratio_max: reach } };
-  if (state.straight) return { constraints: { ...commonLimits(state), size_over_length_max: reach, link_ratio_max: RATIO_OF_LINE } };
+  if (state.straight) return { constraints: { ...commonLimits(state), size_over_length_max: reach, link_ratio_max: RATIO_OF_LINE, ...(state.even < ANY_SPEED ? { speed_variation_max: state.even / 100 } : {}) } };
   const size = drawingSize(state), within = pivotsWithin(state, size), length = [short(SHORTEST * size), short(reach * size)];
   if (state.slides) return limitsOfChain(state, length, within);
   return { bounds: { length, pivot_a: within, pivot_d: within },
@@ -100,11 +103,15 @@ const asKnownSlider = ({ mechanism: m, crank_deg: cranks }) =>
 const asKnownGenerator = ({ mechanism: m, input_start_deg: input, output_start_deg: output }) =>
   [m.crank, m.coupler, m.rocker, Math.hypot(...m.fixed_pivots[1].map((x, k) => x - m.fixed_pivots[0][k])), m.assembly === "open" ? 1 : 0, input, output];
 
-export const isSlider = ({ mechanism }) => mechanism.type === "slider-crank";
+const isSlider = ({ mechanism }) => mechanism.type === "slider-crank";
 
-// The designs shown that are mechanisms of the same kind for targets of the same kind and, but for functions, as many.
-function knownOf({ points, ranges, slides, straight }, candidates) {
-  const entries = candidates.map(({ entry }) => entry).filter((entry) => (entry.input_start_deg !== undefined) === Boolean(ranges) && isSlider(entry) === Boolean(slides) && (entry.direction_deg !== undefined) === Boolean(straight));
+// Whether a design is a mechanism of the same kind for targets of the same kind.
+export const suits = (entry, { angles, ranges, slides, straight }) => isSlider(entry) === Boolean(slides)
+  && [[entry.input_start_deg, ranges], [entry.body_angle_deg, angles], [entry.direction_deg, straight]].every(([own, asked]) => (own !== undefined) === Boolean(asked));
+
+// Of the designs shown those that suit and, but for functions, are for as many targets.
+function knownOf(state, candidates) {
+  const { points, ranges, slides, straight } = state, entries = candidates.map(({ entry }) => entry).filter((entry) => suits(entry, state));
   if (straight) return entries.map(asKnown);
   return ranges ? entries.map(asKnownGenerator) : entries.filter(({ crank_deg: cranks }) => cranks.length === points.length).map(slides ? asKnownSlider : asKnown);
 }

@@ -5,6 +5,7 @@ import { Picture } from "../picture.js";
 import { RADIANS } from "../sampling.js";
 import { barPath, blockPath, groundSign, guideSign, pathThrough, round, sectorPath } from "../shapes.js";
 import { diagramAxes, DIAGRAM_MARGIN, errorStrip } from "./diagram.js";
+import { layout } from "./layout.js";
 import { modeOf } from "./modes.js";
 import { along, axesPath } from "./posed.js";
 
@@ -23,7 +24,7 @@ export class SketchScene extends Picture {
 
   build() {
     const { candidates, chosen, looked, targets: { ranges } } = this;
-    this.clear(SHEET, "", ranges ? DIAGRAM_MARGIN : undefined);
+    this.clear(ranges ? layout().sheet : SHEET, "", ranges ? DIAGRAM_MARGIN : undefined);
     const { view } = this;
     this.ranges = ranges;
     const line = (points) => pathThrough(points.map((p) => view.screen(p)));
