@@ -35,9 +35,8 @@ constexpr int kStartsPerDraw = 3;
 constexpr int kHopsInRound = 16, kParents = 6;
 /// δ/L up to this is rounding: the line is exact.
 constexpr double kExact = 1e-12;
-constexpr double kSameOptimum = 1e-4;
-/// The same of designs that are not refined to the end.
-constexpr double kSameStart = 1e-2;
+/// Designs as close as this are one: valleys are flat, and descents end here and there in them.
+constexpr double kSameOptimum = 1e-2;
 
 Solver own_solver(SegmentObjective objective) {
   return objective == SegmentObjective::deviation ? Solver::gauss_newton : Solver::ipopt;
@@ -275,7 +274,7 @@ void Search::begin(const std::vector<LinkageSegment>& known,
   const int count = static_cast<int>(fresh.size());
   search_.explore({.starts = count, .round = count}, {0, kBegun}, [&](int, int) {
     search_.for_each(fresh.size(), [&](std::size_t i) { refine_start(fresh[i]); });
-    search_.add(std::move(fresh), kSameStart);
+    search_.add(std::move(fresh), kSameOptimum);
   });
 }
 
@@ -310,7 +309,7 @@ void Search::hop(int hops) {
                       fresh[i] = disturbed(static_cast<std::uint64_t>(first) + i);
                       refine_start(fresh[i]);
                     });
-                    search_.add(std::move(fresh), kSameStart);
+                    search_.add(std::move(fresh), kSameOptimum);
                   });
 }
 

@@ -18,6 +18,9 @@ using Eigen::VectorXd;
 
 /// What is believed of the curvature where no step has led, over that along the first step.
 constexpr double kLeastCurvature = 1e-3;
+/// A step is corrected that gains less than this share of what it was to gain. With half of it
+/// damping would neither rise nor fall, and steps stay short for ever.
+constexpr double kFallsShort = 0.9;
 
 /// A point with everything known about it. Residuals are per unit, derivatives per scaled variable.
 struct Point {
@@ -380,7 +383,7 @@ Solution GaussNewton::run() {
     const double predicted = before - linearised_merit() - curvature_of_step();
     bool valid = try_step();
     double gained = valid ? before - merit(next_) : 0;
-    const bool falls_short = valid && gained < 0.5 * predicted;
+    const bool falls_short = valid && gained < kFallsShort * predicted;
     if (learns_ && falls_short && correct_step()) {
       valid = try_step();
       gained = valid ? before - merit(next_) : 0;

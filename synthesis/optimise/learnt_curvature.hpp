@@ -17,7 +17,7 @@ class LearntCurvature {
 
   /// `least` times the identity is what is believed before anything is known; it counts where the
   /// matrix is still zero.
-  void learn(const Eigen::VectorXd& step, const Eigen::VectorXd& change, double least);
+  void learn(const Eigen::VectorXd& step, Eigen::VectorXd change, double least);
 
   const Eigen::MatrixXd& matrix() const { return matrix_; }
 
