@@ -286,8 +286,8 @@ void GaussNewton::learn_curvature() {
   curvature_.learn(step_, change, kLeastCurvature * change.norm() / step_.norm());
 }
 
-/// The slope of the minimax quadratic program's t + t²/2m at its solution: its multipliers are those
-/// of the problem times this.
+/// The slope of the minimax quadratic program's t + t²/2m at its solution: its multipliers are
+/// those of the problem times this.
 double GaussNewton::bound_weight() const {
   return 1 + hessian_(globals_, globals_) * qp_.x()[globals_];
 }
