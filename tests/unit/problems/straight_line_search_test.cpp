@@ -246,7 +246,7 @@ TEST(StraightLineSearch, MeetsALimitOnTheDeviationBetweenItsNodesToo) {
   const Result result = solve_text(
       "[target]\ndeviation = 0.05\n[mechanism]\ncoupler_point = [4.96, 0]\ncrank = 2.65\n"
       "coupler = 4.18\nrocker = 5.1\nframe = 3.92\n[constraints]\nclass = \"crank-rocker\"\n"
-      "size_over_length_max = 3\n[solve]\nstarts = 20\n");
+      "size_over_length_max = 3\n[solve]\nstarts = 60\n");
   ASSERT_EQ(result.status, Status::solved);
   EXPECT_LE(quantity(result.designs[0], "deviation"), 0.05 * (1 + 1e-6));
   // The longest by a scan of all segments.
