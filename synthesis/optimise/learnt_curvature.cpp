@@ -9,6 +9,8 @@ constexpr double kLeastShare = 0.2;
 /// cancel along a step the change is across it, and to believe it would make B as large as one
 /// likes.
 constexpr double kLeastCosine = 0.05;
+/// Along steps with a lesser cosine to B s what B would be there is rounding.
+constexpr double kKnownCosine = 1e-4;
 
 }  // namespace
 
@@ -20,7 +22,7 @@ void LearntCurvature::learn(const Eigen::VectorXd& step, Eigen::VectorXd change,
   if (lacking > 0 && lacking < size) change += lacking * step;
   const Eigen::VectorXd expected = matrix_ * step;
   const double known = step.dot(expected), seen = step.dot(change);
-  if (!(known > 0)) return;
+  if (!(known > kKnownCosine * step.norm() * expected.norm())) return;
   const double share = seen >= kLeastShare * known ? 1 : (1 - kLeastShare) * known / (known - seen);
   const Eigen::VectorXd believed = share * change + (1 - share) * expected;
   matrix_ += believed * believed.transpose() / step.dot(believed) -

@@ -72,6 +72,7 @@ cognate_page_kernel(design_kernel ${problem_reader} ${mechanism_evaluator} ${ana
   synthesis/chain/bodies.cpp
   synthesis/exact/chebyshev.cpp
   synthesis/optimise/gauss_newton.cpp
+  synthesis/optimise/gauss_newton_step.cpp
   synthesis/optimise/learnt_curvature.cpp
   synthesis/optimise/loss.cpp
   synthesis/optimise/model.cpp

@@ -189,6 +189,7 @@ cognate_page_kernel(sketch_kernel
   synthesis/exact/polish.cpp
   synthesis/optimise/closure_hessian.cpp
   synthesis/optimise/gauss_newton.cpp
+  synthesis/optimise/gauss_newton_step.cpp
   synthesis/optimise/learnt_curvature.cpp
   synthesis/optimise/loss.cpp
   synthesis/optimise/model.cpp

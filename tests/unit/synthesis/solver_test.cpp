@@ -309,52 +309,6 @@ TEST(Multipliers, OfMinimaxAreItsSensitivities) {
   }
 }
 
-/// Rosen and Suzuki's problem in the form of Charalambous and Bandler (1976, "Non-linear minimax
-/// optimization as a sequence of least pth optimization with finite values of p"): of its four
-/// functions three are the largest at the minimum, two fewer than unknowns and bound, so that it
-/// lies in no corner. All are raised by 200, for |r|.
-TEST(GaussNewton, LearnsTheCurvatureOfMinimaWithFewLargestResiduals) {
-  const auto functions = [](Point x) -> Values {
-    const Complex a = x[0], b = x[1], c = x[2], d = x[3];
-    const Complex f = a * a + b * b + 2.0 * c * c + d * d - 5.0 * a - 5.0 * b - 21.0 * c + 7.0 * d;
-    const Complex squares = a * a + b * b + c * c + d * d;
-    return {f + 200.0, f + 10.0 * (squares + a - b + c - d - 8.0) + 200.0,
-            f + 10.0 * (squares + b * b + d * d - a - d - 10.0) + 200.0,
-            f + 10.0 * (squares + a * a - d * d + 2.0 * a - b - d - 5.0) + 200.0};
-  };
-  FunctionModel::Parts parts{free_variables(4), functions};
-  parts.objective = Objective::max_abs;
-  const FunctionModel model(parts);
-  const std::vector<double> known{0, 1, 2, -1};
-  for (const std::vector<double>& start :
-       {std::vector{0.0, 0.0, 0.0, 0.0}, {1.0, 2.0, 1.0, -2.0}, {-3.0, 3.0, 3.0, 3.0}}) {
-    const Solution learnt =
-        solve(Solver::gauss_newton, model, start,
-              {.tolerance = 1e-14, .max_iterations = 60, .learns_curvature = true});
-    EXPECT_NEAR(learnt.objective, 200 - 44, 1e-11);
-    for (int i = 0; i < 4; ++i) EXPECT_NEAR(learnt.x[i], known[i], 1e-5);
-  }
-}
-
-/// One residual, whose derivative vanishes at the minimum: all is in the curvature.
-TEST(GaussNewton, FollowsACurvedValleyByWhatItLearns) {
-  const auto valley = [](Point x) -> Values {
-    return {1.0 + 100.0 * (x[1] - x[0] * x[0]) * (x[1] - x[0] * x[0]) +
-            (1.0 - x[0]) * (1.0 - x[0])};
-  };
-  FunctionModel::Parts parts{free_variables(2), valley};
-  parts.objective = Objective::max_abs;
-  const FunctionModel model(parts);
-  const Options options{.tolerance = 1e-14, .max_iterations = 60};
-  Options learning = options;
-  learning.learns_curvature = true;
-  for (const std::vector<double>& start : {std::vector{-1.2, 1.0}, {2.0, -1.0}, {0.0, 3.0}}) {
-    const Solution learnt = solve(Solver::gauss_newton, model, start, learning);
-    EXPECT_NEAR(learnt.objective, 1, 1e-11);
-    EXPECT_GT(solve(Solver::gauss_newton, model, start, options).objective, 1 + 1e-4);
-  }
-}
-
 /// Of problem 42: ∇f = (2, 0, 2(x₃ − 3), 2(x₄ − 4)) is λ₁ (1, 0, 0, 0) + λ₂ (0, 0, 2x₃, 2x₄) with
 /// λ₁ = 2 and λ₂ = 1 − 3/x₃.
 TEST(Multipliers, OfEqualitiesHaveTheirSign) {
