@@ -12,6 +12,7 @@
 #include "problems/search/solver_origin.hpp"
 #include "problems/straight_line/model.hpp"
 #include "problems/straight_line/peaks.hpp"
+#include "problems/straight_line/segment_rules.hpp"
 #include "synthesis/optimise/solver.hpp"
 #include "synthesis/search/multi_start.hpp"
 
@@ -42,15 +43,6 @@ Solver own_solver(SegmentObjective objective) {
   return objective == SegmentObjective::deviation ? Solver::gauss_newton : Solver::ipopt;
 }
 
-bool is_feasible(const SegmentDesign& found) {
-  return found.violation <= kSegmentFeasibility;
-}
-
-bool is_better(const SegmentDesign& a, const SegmentDesign& b) {
-  if (is_feasible(a) != is_feasible(b)) return is_feasible(a);
-  return is_feasible(a) ? a.objective < b.objective : a.violation < b.violation;
-}
-
 /// The problem of which a start is refined first: the least deviation at a length and for a size
 /// over the length, for which no start is too far from its limits.
 StraightLineProblem at_size(const StraightLineProblem& problem, double length, double size) {
@@ -61,36 +53,6 @@ StraightLineProblem at_size(const StraightLineProblem& problem, double length, d
   relaxed.segment.size_over_length_max = std::min(size, size_limit(problem));
   return relaxed;
 }
-
-/// Starts are ranked by their promise, what is made of them by the objective.
-struct SegmentRules {
-  using Candidate = SegmentDesign;
-  bool by_promise = true;
-
-  static bool has_value(const SegmentDesign& found) { return std::isfinite(found.violation); }
-  bool precedes(const SegmentDesign& a, const SegmentDesign& b) const {
-    return by_promise ? a.promise < b.promise : is_better(a, b);
-  }
-  static bool is_same(const SegmentDesign& known, const SegmentDesign& other, double tolerance) {
-    return same_segment(other.segment, known.segment, tolerance);
-  }
-  double value(const SegmentDesign& found) const {
-    return !by_promise && is_feasible(found) ? found.objective : kInfinity;
-  }
-  /// Half of the places by promise are for those that satisfy the limits already, as far as there
-  /// are any: of the others, however straight, none may reach them.
-  void keep(std::vector<SegmentDesign>& sorted, std::size_t most) const {
-    if (by_promise) {
-      const auto sound = static_cast<std::size_t>(std::ranges::count_if(sorted, is_feasible));
-      const auto others = std::ranges::stable_partition(sorted, is_feasible);
-      const auto places = static_cast<std::ptrdiff_t>(std::min(sound, (most + 1) / 2));
-      std::inplace_merge(
-          sorted.begin() + places, others.begin(), sorted.end(),
-          [](const SegmentDesign& a, const SegmentDesign& b) { return a.promise < b.promise; });
-    }
-    sorted.resize(most);
-  }
-};
 
 /// Shares of the whole search, for progress, when its starts have been refined, designs disturbed,
 /// and the best of them refined further.
