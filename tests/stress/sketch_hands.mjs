@@ -6,6 +6,7 @@
 // words such as NaN, and a page that does not answer end the run with 1 and the line that has it again.
 import { execFileSync } from "node:child_process";
 import fs from "node:fs";
+import os from "node:os";
 import path from "node:path";
 import { drawnFunctionStroke, drawnPoses, drawnStroke } from "../bench/report/drawings.mjs";
 import { act, asked, clicked, hands, PATIENCE_AT_REST, through } from "./hands.mjs";
@@ -61,7 +62,7 @@ const DOES = {
     const slider = document.getElementById(id);
     slider.value = Number(slider.min) + share * (slider.max - slider.min);
     for (const name of ["input", "change"]) slider.dispatchEvent(new Event(name, { bubbles: true }));
-  }, [pick(["least", "reach"]), random()]),
+  }, [pick(["least", "reach", "even"]), random()]),
   class: (page) => page.evaluate((share) => {
     const choice = document.getElementById("class");
     choice.selectedIndex = Math.floor(share * choice.options.length);
@@ -132,7 +133,7 @@ async function assertTakes(page, name, command) {
     return document.getElementById("taken").value;
   }, name);
   if (text === null) return;
-  const file = path.join(fs.mkdtempSync("/tmp/hands-"), `${name}.toml`);
+  const file = path.join(fs.mkdtempSync(path.join(os.tmpdir(), "cognate-hands-")), `${name}.toml`);
   fs.writeFileSync(file, text);
   execFileSync(run.program, [...command, file], { stdio: ["ignore", "ignore", "pipe"] });
   fs.rmSync(path.dirname(file), { recursive: true });
