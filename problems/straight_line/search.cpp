@@ -36,8 +36,11 @@ constexpr int kStartsPerDraw = 3;
 constexpr int kHopsInRound = 16, kParents = 6;
 /// δ/L up to this is rounding: the line is exact.
 constexpr double kExact = 1e-12;
-/// Designs as close as this are one: valleys are flat, and descents end here and there in them.
+/// Designs as close as this are one: valleys are flat.
 constexpr double kSameOptimum = 1e-2;
+/// Those on their way to one minimum, mostly. The best of each such heap goes on, lest all that go
+/// on end at the same.
+constexpr double kSameValley = 0.2;
 
 Solver own_solver(SegmentObjective objective) {
   return objective == SegmentObjective::deviation ? Solver::gauss_newton : Solver::ipopt;
@@ -236,7 +239,7 @@ void Search::begin(const std::vector<LinkageSegment>& known,
   const int count = static_cast<int>(fresh.size());
   search_.explore({.starts = count, .round = count}, {0, kBegun}, [&](int, int) {
     search_.for_each(fresh.size(), [&](std::size_t i) { refine_start(fresh[i]); });
-    search_.add(std::move(fresh), kSameOptimum);
+    search_.add(std::move(fresh), kSameValley);
   });
 }
 
@@ -271,7 +274,7 @@ void Search::hop(int hops) {
                       fresh[i] = disturbed(static_cast<std::uint64_t>(first) + i);
                       refine_start(fresh[i]);
                     });
-                    search_.add(std::move(fresh), kSameOptimum);
+                    search_.add(std::move(fresh), kSameValley);
                   });
 }
 

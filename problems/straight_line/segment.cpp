@@ -113,8 +113,9 @@ bool same_segment(const LinkageSegment& a, const LinkageSegment& b, double toler
                           : difference(a.centre, -b.centre) < difference(a.centre, b.centre);
   if (norm(own - (mirror ? conj(other) : other)) > size) return false;
   const double centre = mirror ? -b.centre : b.centre;
-  return difference(a.centre, centre) <= 30 * tolerance &&
-         std::abs(a.reach - b.reach) <= 30 * tolerance;
+  constexpr double kFarthestAngle = 0.5;
+  const double angle = std::min(30 * tolerance, kFarthestAngle);
+  return difference(a.centre, centre) <= angle && std::abs(a.reach - b.reach) <= angle;
 }
 
 }  // namespace cognate::problems

@@ -37,8 +37,8 @@ inline double size_over_length(const LinkageSegment& segment) {
   return largest_dimension(segment) / segment.length;
 }
 
-/// Whether two segments are of one linkage, or of its mirror image in the frame, to `tolerance` in
-/// lengths over the longest and in angles.
+/// Whether two segments are one, or the mirror image of it in the frame, to `tolerance` in lengths
+/// over the longest, and in angles to 30 times that, of half a radian at most.
 bool same_segment(const LinkageSegment& a, const LinkageSegment& b, double tolerance);
 
 /// The same figure `factor` times as large.

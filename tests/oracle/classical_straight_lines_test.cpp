@@ -209,20 +209,24 @@ TEST(StraightLineSearch, GoalsAgree) {
 TEST(StraightLineSearch, EndsAtTheBottomsOfFlatValleys) {
   struct Task {
     const char* text;
-    double deviation;  ///< over the length, refined by Ipopt
+    double deviation, next;  ///< of the best two minima, over the length, refined by Ipopt
   };
   constexpr std::array kTasks{
       Task{"[target]\nlength = 2\n[constraints]\nclass = \"triple-rocker\"\n"
            "size_over_length_max = 1\n[mechanism]\nframe = 2\n[bounds]\nlength = [0, 2]\n",
-           4.96684e-4},
+           4.96684e-4, 5.68841e-4},
       Task{"[target]\nlength = 1\n[constraints]\nclass = \"crank-rocker\"\n"
            "crank_range_deg = [180, 180]\nlink_ratio_max = 10\nsize_over_length_max = 5\n",
-           1.08393e-4}};
-  for (const auto& [text, deviation] : kTasks) {
+           1.08393e-4, 0}};
+  for (const auto& [text, deviation, next] : kTasks) {
     const Result result = solve_text(text);
     ASSERT_FALSE(result.designs.empty());
     const double best = quantity(result.designs[0], "deviation_relative");
     EXPECT_NEAR(best, deviation, 1e-5 * deviation);
+    if (next > 0) {
+      ASSERT_GT(result.designs.size(), 1u);
+      EXPECT_NEAR(quantity(result.designs[1], "deviation_relative"), next, 1e-5 * next);
+    }
     for (std::size_t i = 1; i < result.designs.size(); ++i) {
       EXPECT_GT(quantity(result.designs[i], "deviation_relative"), 1.02 * best);
     }
