@@ -350,13 +350,11 @@ SegmentSearchResult search_segments(const StraightLineProblem& problem,
                                     const SegmentEffort& effort, const Run& run,
                                     const Deadline& deadline, Work& work) {
   Search search(problem, run, deadline, work);
-  std::vector<SegmentStart> starts;
-  if (effort.starts > 0) {
-    const int all = problem.solve.starts.value_or(effort.starts);
-    starts = search.draw((all + kStartsPerDraw - 1) / kStartsPerDraw);
-  }
+  const int all = effort.starts > 0 ? problem.solve.starts.value_or(effort.starts) : 0;
+  const int drawn = (all + kStartsPerDraw - 1) / kStartsPerDraw;
+  const std::vector<SegmentStart> starts = search.draw(drawn);
   search.begin(known, starts);
-  search.hop((kStartsPerDraw - 1) * static_cast<int>(starts.size()));
+  search.hop(starts.empty() ? 0 : all - drawn);
   // Few starts are worth few of the dearer refinements, more than usual are worth more.
   const std::size_t few = 1 + (starts.size() + known.size()) / 8, many = starts.size() / 20;
   search.deepen(std::max(std::min(effort.deepened, few), many));
