@@ -35,6 +35,7 @@ inline constexpr double kSameHoppingDesign = 0.02;
 /// - `draw(space, random)`, a start, or none where the draw came to nothing;
 /// - `disturb(space, size, design, random)`;
 /// - `kDrawnStarts`, how many starts are drawn before any is a disturbed design;
+/// - `kHopShare`, the share of the others that are;
 /// - `search_fit` and `final_fit(space, design, deadline, work)`, a candidate.
 template <class Method>
 class HoppingExplorer {
@@ -73,6 +74,9 @@ class HoppingExplorer {
  private:
   void round(int first, int count) {
     constexpr std::size_t kKept = 24;
+    // Relative: of designs as close as that one alone is disturbed again, so that those kept lie in
+    // different valleys.
+    constexpr double kSameValley = 0.2;
     std::vector<Candidate> fresh(static_cast<std::size_t>(count));
     search_.for_each(fresh.size(), [&](std::size_t i) {
       const auto start_number = static_cast<std::uint64_t>(first) + std::uint64_t{i};
@@ -82,15 +86,15 @@ class HoppingExplorer {
         fresh[i] = Method::search_fit(space_, *start, search_.deadline(), work_);
       }
     });
-    search_.add(std::move(fresh), kSameHoppingDesign);
+    search_.add(std::move(fresh), kSameValley);
     search_.keep(kKept);
   }
 
   std::optional<Design> start_of(std::uint64_t number, std::mt19937_64& random) const {
-    constexpr double kHopShare = 0.7;  // of the others, that disturb a design found
-    constexpr double kLeastHop = 1e-4, kMostHop = 0.15;
+    constexpr double kLeastHop = 0.03, kMostHop = 0.5;
     const auto& all = search_.all();
-    if (all.empty() || number < Method::kDrawnStarts || uniform(random, 0, 1) >= kHopShare) {
+    if (all.empty() || number < Method::kDrawnStarts ||
+        uniform(random, 0, 1) >= Method::kHopShare) {
       return Method::draw(space_, random);
     }
     Design design = all[static_cast<std::size_t>(uniform(random, 0, double(all.size())))].design;

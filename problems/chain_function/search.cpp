@@ -13,13 +13,13 @@ namespace cognate::problems {
 namespace {
 
 using synthesis::Objective;
-using synthesis::Solver;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kFeasible = 1e-7;  ///< violations up to this, of a cosine, are none
 constexpr int kSearchIterations = 40, kFinalIterations = 300;
 constexpr int kSearchExchanges = 2, kFinalExchanges = 8;
-constexpr int kFewestStarts = 12 * kHoppingRound;
+constexpr double kSearchTolerance = 1e-4;
+constexpr int kFewestStarts = 24 * kHoppingRound;
 
 struct FittedFunction {
   ChainFunctionDesign design;
@@ -41,14 +41,33 @@ struct FunctionRules {
   }
 };
 
+/// Largest errors that are equal leave directions in which only curvature holds a design.
+synthesis::Options function_options(const synthesis::Deadline& deadline, int iterations) {
+  synthesis::Options options = fit_options(deadline, iterations);
+  options.learns_curvature = true;
+  return options;
+}
+
 /// How a fit is made.
 struct Fitting {
   std::span<const synthesis::AnglePair> pairs;
   Objective objective;
-  Solver solver;
   int exchanges;
   synthesis::Options options;
 };
+
+/// By Gauss-Newton; where its steps do not lead within the limits, by a solver whose steps may
+/// leave them for a while.
+synthesis::Solution minimum_of(const ChainFunctionModel& model, const Fitting& how,
+                               const synthesis::WorkCounter& work) {
+  const auto start = model.start();
+  auto solution = synthesis::solve(synthesis::Solver::gauss_newton, model, start, how.options);
+  work.count(solution);
+  if (solution.violation <= kFeasible) return solution;
+  solution = synthesis::solve(synthesis::Solver::slsqp, model, start, how.options);
+  work.count(solution);
+  return solution;
+}
 
 /// Fits from `start`, limits asked anew where they are extreme, until none is violated between.
 FittedFunction fitted(const ChainFunctionSpace& space, const ChainFunctionDesign& start,
@@ -65,8 +84,7 @@ FittedFunction fitted(const ChainFunctionSpace& space, const ChainFunctionDesign
   watch();
   for (int exchange = 0; exchange < how.exchanges; ++exchange) {
     const ChainFunctionModel model(space, here.design, watched, how.pairs, how.objective);
-    const auto solution = synthesis::solve(how.solver, model, model.start(), how.options);
-    work.count(solution);
+    const auto solution = minimum_of(model, how, work);
     if (solution.stop == synthesis::Stop::no_value || !std::isfinite(solution.objective)) break;
     const double before = here.design.start;
     here.design = model.design(solution.x);
@@ -101,6 +119,7 @@ struct FunctionMethod {
   using Rules = FunctionRules;
   /// Of another valley than that of the first good designs most starts would find none.
   static constexpr std::uint64_t kDrawnStarts = 6 * kHoppingRound;
+  static constexpr double kHopShare = 0.7;
 
   static std::optional<Design> draw(const Space& space, std::mt19937_64& random) {
     return draw_chain_function(space, random);
@@ -115,24 +134,20 @@ struct FunctionMethod {
   static FittedFunction search_fit(const Space& space, const Design& start,
                                    const synthesis::Deadline& deadline,
                                    const synthesis::WorkCounter& work) {
+    auto options = function_options(deadline, kSearchIterations);
+    options.tolerance = kSearchTolerance;
     return fitted(space, start,
-                  {space.coarse, Objective::sum_of_squares, Solver::slsqp, kSearchExchanges,
-                   fit_options(deadline, kSearchIterations)},
-                  work);
+                  {space.coarse, Objective::sum_of_squares, kSearchExchanges, options}, work);
   }
 
   static FittedFunction final_fit(const Space& space, const Design& start,
                                   const synthesis::Deadline& deadline,
                                   const synthesis::WorkCounter& work) {
-    const auto options = fit_options(deadline, kFinalIterations);
-    Fitting how{space.fine, Objective::sum_of_squares, Solver::slsqp, kFinalExchanges, options};
+    Fitting how{space.fine, Objective::sum_of_squares, kFinalExchanges,
+                function_options(deadline, kFinalIterations)};
     FittedFunction best = fitted(space, start, how, work);
-    // Quasi-Newton steps end far from rounding where the residuals vanish.
-    how.solver = Solver::gauss_newton;
-    best = better(std::move(best), fitted(space, best.design, how, work));
     if (!space.is_minimax) return best;
     best.error = largest_error(space, best.design);
-    how.solver = Solver::slsqp;
     how.objective = Objective::max_abs;
     return better(std::move(best), fitted(space, best.design, how, work));
   }

@@ -21,10 +21,7 @@ namespace {
 /// Those that meet every limit, the best first; the others only where there are no such.
 std::vector<Design> best_designs(const ChainFunctionProblem& problem, const FunctionSamples& wanted,
                                  const std::vector<ChainFunctionMinimum>& found) {
-  using synthesis::Solver;
-  const std::string origin = problem.objective == FunctionObjective::minimax
-                                 ? search_origin({Solver::slsqp})
-                                 : search_origin({Solver::slsqp, Solver::gauss_newton});
+  const std::string origin = search_origin(synthesis::Solver::gauss_newton);
   std::vector<Design> designs;
   for (const ChainFunctionMinimum& one : found) {
     const ChainFunctionSpace& space = *one.space;

@@ -19,8 +19,16 @@ namespace {
 constexpr int kSearchNodes = 17, kFinalNodes = 65;
 constexpr int kSearchIterations = 60, kFinalIterations = 300;
 constexpr int kSearchExchanges = 3, kFinalExchanges = 8;
-constexpr int kFewestStarts = 24 * kHoppingRound;
+constexpr double kSearchTolerance = 1e-4;
+constexpr int kFewestStarts = 48 * kHoppingRound;
 constexpr int kOutputSamples = 180, kExtremeSteps = 24;
+
+/// Peaks of equal height leave directions in which only curvature holds a design.
+synthesis::Options dwell_options(const synthesis::Deadline& deadline, int iterations) {
+  synthesis::Options options = fit_options(deadline, iterations);
+  options.learns_curvature = true;
+  return options;
+}
 
 struct Fitted : DwellFit {
   int hits = 1;
@@ -116,7 +124,7 @@ Fitted fitted(const DwellSpace& space, const DwellDesign& start, int nodes, int 
     const DwellModel model(space, here.design, checks, nodes, unit);
     const auto x = model.start();
     const synthesis::Solution solution =
-        synthesis::solve(synthesis::Solver::slsqp, model, x, options);
+        synthesis::solve(synthesis::Solver::gauss_newton, model, x, options);
     work.count(solution);
     if (solution.stop == synthesis::Stop::no_value || !std::isfinite(solution.objective)) break;
     here.design = model.design(solution.x);
@@ -137,6 +145,7 @@ struct DwellMethod {
   using Design = DwellDesign;
   using Rules = DwellRules;
   static constexpr std::uint64_t kDrawnStarts = 0;
+  static constexpr double kHopShare = 0.85;  ///< to draw takes longer than to fit
 
   static std::optional<Design> draw(const Space& space, std::mt19937_64& random) {
     return draw_dwell(space, random);
@@ -152,14 +161,15 @@ struct DwellMethod {
   static Fitted search_fit(const Space& space, const Design& start,
                            const synthesis::Deadline& deadline,
                            const synthesis::WorkCounter& work) {
-    return fitted(space, start, kSearchNodes, kSearchExchanges,
-                  fit_options(deadline, kSearchIterations), work);
+    auto options = dwell_options(deadline, kSearchIterations);
+    options.tolerance = kSearchTolerance;
+    return fitted(space, start, kSearchNodes, kSearchExchanges, options, work);
   }
 
   static Fitted final_fit(const Space& space, const Design& start,
                           const synthesis::Deadline& deadline, const synthesis::WorkCounter& work) {
     return fitted(space, start, kFinalNodes, kFinalExchanges,
-                  fit_options(deadline, kFinalIterations), work);
+                  dwell_options(deadline, kFinalIterations), work);
   }
 };
 
@@ -170,7 +180,7 @@ DwellFit fit_dwell(const DwellSpace& space, const DwellDesign& start, bool is_fi
   constexpr int kIterations = 60, kRounds = 4;
   const synthesis::WorkCounter unread;
   return fitted(space, start, is_final ? kFinalNodes : kSearchNodes, kRounds,
-                fit_options(deadline, kIterations), unread);
+                dwell_options(deadline, kIterations), unread);
 }
 
 DwellSearchResult search_dwells(const std::vector<DwellSpace>& spaces, const Solve& options,

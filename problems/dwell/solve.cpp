@@ -35,7 +35,7 @@ std::vector<Design> designs_of_dwells(const DwellProblem& problem,
     auto mechanism = named(*space.topology, space.scale.out_of(space.chain, one.design.chain));
     Design design = verified(problem, *space.topology, std::move(mechanism), one.design.start);
     if (!std::isfinite(design.error.sum_of_squares)) continue;
-    design.origin = search_origin({synthesis::Solver::slsqp});
+    design.origin = search_origin(synthesis::Solver::gauss_newton);
     designs.push_back(std::move(design));
   }
   std::ranges::stable_sort(designs, {}, [](const Design& design) { return design.error.max; });

@@ -103,7 +103,7 @@ export async function put(page, poses) {
 
 // Until all searches for a drawing have ended, or the first has given designs.
 export const offered = (page) => page.waitForFunction(() => /designs? after /.test(document.getElementById("state").textContent));
-export const settled = (page) => page.waitForFunction(() => /designs? after [^;]*\.$/.test(document.getElementById("state").textContent));
+export const settled = (page) => page.waitForFunction(() => /designs? after [^;]*\.$/.test(document.getElementById("state").textContent), undefined, { timeout: 120000 });
 export const facts = (page, name) => page.locator(`[data-fact="${name}"]`).evaluateAll((all) => all.map((one) => JSON.parse(one.dataset.value)));
 export const targets = (page) => page.locator("[data-target]").count();
 
