@@ -40,6 +40,9 @@ def main():
         found = [[solved(program, file, seed, arguments.key) for program in arguments.programs]
                  for seed in range(1, arguments.seeds + 1)]
         best = min(error for row in found for error, _ in row)
+        if best == float("inf"):
+            print(f"{file.stem}: no design")
+            continue
         print(f"{file.stem}: best {best:.6g}")
         for program, column in zip(arguments.programs, zip(*found)):
             errors = [error for error, _ in column]
