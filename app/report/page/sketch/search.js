@@ -1,5 +1,5 @@
-// Searches that follow one another: a new one ends that before it. A spare worker is always ready, so that
-// none has to be waited for.
+// Searches that follow one another: a new one ends that before it. A spare worker is ready, so that none has to be waited for: it
+// is made once the one before it has answered, or is ended, and does not take time from the first answer.
 
 import { moduleBytes } from "../kernel.js";
 import { WORKER_TEXT } from "./worker.js";
@@ -26,30 +26,22 @@ export class Search {
 
   // Answers the questions [{problem, known, …}] in turn, `known` being designs to begin with, if any; what was asked before
   // is given up.
-  async ask(questions) {
+  ask(questions) {
     this.cancel();
     this.waiting = questions.map((question) => ({ ...question, id: ++this.last }));
-    await this.#begin();
+    this.worker ??= this.#takeSpare();
+    for (const { id, problem, known = [] } of this.waiting) this.worker.postMessage({ id, problem, known, seed: SEED });
   }
 
   // The same of one question while a drawing is dragged: one like it that is being answered is not given up, and of those
   // that come meanwhile only the last is asked.
-  async askNewest(question) {
-    if (this.waiting[0]?.live) this.next = question; else await this.ask([question]);
-  }
-
-  async #begin() {
-    const { waiting } = this;
-    this.worker ??= this.#takeSpare();
-    const { worker } = this;
-    await this.module;
-    if (waiting !== this.waiting) return;
-    for (const { id, problem, known = [] } of waiting) worker.postMessage({ id, problem, known, seed: SEED });
+  askNewest(question) {
+    if (this.waiting[0]?.live) this.next = question; else this.ask([question]);
   }
 
   #takeSpare() {
-    const worker = this.spare;
-    this.spare = this.#worker();
+    const worker = this.spare ?? this.#worker();
+    this.spare = null;
     return worker;
   }
 
@@ -58,15 +50,16 @@ export class Search {
     if (!this.busy) return;
     this.worker?.terminate();
     Object.assign(this, { worker: null, waiting: [] });
+    this.spare ??= this.#worker();
   }
 
   #take(worker, { id, answer, failure }) {
     const [asked] = this.waiting;
     if (worker !== this.worker || asked?.id !== id) return;
     this.waiting.shift();
+    // The next is searched for while the page draws the answer.
+    if (this.next) this.ask([this.next]);
     if (failure) this.onFailure(failure); else this.onAnswer(answer, asked);
-    if (this.busy || !this.next) return;
-    const { next } = this;
-    this.ask([next]);
+    this.spare ??= this.#worker();
   }
 }

@@ -2,10 +2,11 @@
 
 import { encoded } from "../encoded.js";
 
-// All that the worker does; it runs from this function's text and that of `encoded`. It is sent {module} first, then any
-// number of {id, problem, known, seed}, each answered by {id, answer} or {id, failure}.
+// All that the worker does; it runs from this function's text and that of `encoded`. It is sent {module} and any number of
+// {id, problem, known, seed}, in any order, each of these answered by {id, answer} or {id, failure}.
 function searchWorker() {
-  let ready;
+  let begin;
+  const ready = new Promise((resolve) => { begin = resolve; });
   const load = async (module) => {
     const { exports } = await WebAssembly.instantiate(module);
     exports._initialize?.();
@@ -21,7 +22,7 @@ function searchWorker() {
     return JSON.parse(new TextDecoder().decode(new Uint8Array(calls.memory.buffer, calls.text(), length)));
   };
   self.onmessage = async ({ data }) => {
-    if (data.module) { ready = load(data.module); return; }
+    if (data.module) { begin(load(data.module)); return; }
     try {
       self.postMessage({ id: data.id, answer: answerOf(await ready, data) });
     } catch (error) {
