@@ -1,28 +1,18 @@
 // Searches that follow one another: a new one ends that before it. A spare worker is ready, so that none has to be waited for: it
 // is made once the one before it has answered, or is ended, and does not take time from the first answer.
 
-import { moduleBytes } from "../kernel.js";
-import { WORKER_TEXT } from "./worker.js";
-
-const SEED = 1;
+import { ask } from "./worker.js";
 
 export class Search {
-  // `onAnswer(answer, asked)`: of each question; `onFailure(text)` where the kernel fails.
-  constructor(onAnswer, onFailure) {
-    Object.assign(this, { onAnswer, onFailure, waiting: [], next: null, last: 0 });
-    this.url = URL.createObjectURL(new Blob([WORKER_TEXT], { type: "text/javascript" }));
-    this.module = moduleBytes().then((bytes) => WebAssembly.compile(bytes));
+  // `onAnswer(answer, asked)`: of each question; where the kernel fails `workers` are told.
+  constructor(workers, onAnswer) {
+    Object.assign(this, { workers, onAnswer, waiting: [], next: null, last: 0 });
     this.spare = this.#worker();
   }
 
   get busy() { return this.waiting.length > 0; }
 
-  #worker() {
-    const worker = new Worker(this.url);
-    worker.onmessage = ({ data }) => this.#take(worker, data);
-    this.module.then((module) => worker.postMessage({ module }), (error) => this.onFailure(String(error)));
-    return worker;
-  }
+  #worker() { return this.workers.make((worker, data) => this.#take(worker, data)); }
 
   // Answers the questions [{problem, known, …}] in turn, `known` being designs to begin with, if any; what was asked before
   // is given up.
@@ -30,7 +20,7 @@ export class Search {
     this.cancel();
     this.waiting = questions.map((question) => ({ ...question, id: ++this.last }));
     this.worker ??= this.#takeSpare();
-    for (const { id, problem, known = [] } of this.waiting) this.worker.postMessage({ id, problem, known, seed: SEED });
+    for (const question of this.waiting) ask(this.worker, question);
   }
 
   // The same of one question while a drawing is dragged: one like it that is being answered is not given up, and of those
@@ -59,7 +49,7 @@ export class Search {
     this.waiting.shift();
     // The next is searched for while the page draws the answer.
     if (this.next) this.ask([this.next]);
-    if (failure) this.onFailure(failure); else this.onAnswer(answer, asked);
+    if (failure) this.workers.onFailure(failure); else this.onAnswer(answer, asked);
     this.spare ??= this.#worker();
   }
 }
