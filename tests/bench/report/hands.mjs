@@ -22,7 +22,7 @@ function watch() {
     if (!document.querySelector(".design-card")) return;
     seen.designs ??= now();
     if (seen.step !== null) { seen.steps.push(now() - seen.step); seen.step = null; }
-  }).observe(document.getElementById("designs"), { childList: true });
+  }).observe(document.getElementById("designs"), { childList: true, subtree: true, attributes: true });
   addEventListener("pointerup", () => { seen.released = now(); seen.designs = null; seen.step = null; }, true);
   addEventListener("pointermove", (event) => { if (event.target.dataset.target) seen.step ??= now(); }, true);
   let last = now();
