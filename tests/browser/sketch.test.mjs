@@ -56,6 +56,18 @@ test("a design is chosen, and all move", () => visit({ motion: "no-preference" }
   assert.ok(await page.locator("#design-2").isChecked());
 }));
 
+test("a card keeps the focus while longer searches answer", () => visit({}, async (page) => {
+  await draw(page, ellipse);
+  await offered(page);
+  await page.locator("#design-0").focus();
+  await settled(page);
+  assert.equal(await page.evaluate(() => document.activeElement.id), "design-0");
+  // Where cards say something else, they are others.
+  await page.locator("#by-slider").click();
+  await settled(page);
+  assert.equal((await facts(page, "stroke")).length, (await facts(page, "rms")).length);
+}));
+
 test("every step can be undone and made again", () => visit({}, async (page) => {
   await draw(page, ellipse);
   await offered(page);
@@ -140,6 +152,21 @@ test("the design chosen follows a drag without the others, and is not taken back
   await settled(page);
   const design = addressOf(page);
   assert.ok(Math.max(...misses(design)) <= design.max * 1.001 + 1e-4);
+}));
+
+test("a point put far outside the places that an address holds stands at their border, and zooming there does not leap", () => visit({ hash: "#p=-900000,0;0,900000;900000,0;0,-600000&o=open,points&l=any,30,3" }, async (page) => {
+  await offered(page);
+  const scale = async () => { const [a, b] = await Promise.all([0, 2].map((i) => page.locator(`[data-target="${i}"]`).boundingBox())); return b.x - a.x; };
+  const widened = await scale();
+  await page.locator("[data-zoom=farther]").click();
+  await page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
+  assert.ok(Math.abs(await scale() - widened) < 2, `${await scale()} after ${widened}`);
+  const box = await page.locator("#sheet").boundingBox();
+  await page.mouse.click(box.x + 4, box.y + box.height / 2);
+  assert.equal(await targets(page), 5);
+  assert.equal(addressOf(page).points[4][0], -1e6);
+  await page.reload();
+  assert.equal(await targets(page), 5);
 }));
 
 test("points are clicked, and put by keys alone", () => visit({}, async (page) => {
