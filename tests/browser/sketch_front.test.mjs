@@ -100,6 +100,23 @@ for (const [name, drawn] of [["poses", (page) => put(page, SIX)], ["a curve", (p
   }));
 }
 
+test("a point of the front that has the focus goes with its kind of drawing", () => visit({}, async (page) => {
+  await draw(page, heart);
+  await page.waitForFunction(() => document.querySelectorAll(".front-point").length > 1, null, PATIENCE);
+  for (const kind of ["of-function", "of-line", "of-function"]) {
+    const front = page.locator(".front-point:not([aria-pressed='true'])");
+    await front.first().focus();
+    assert.equal(await page.locator(".looked-at").count(), 1);
+    await page.evaluate((id) => document.getElementById(id).click(), kind);
+    assert.equal(await page.locator(`#${kind}`).getAttribute("aria-pressed"), "true");
+    assert.equal(await page.locator(".looked-at").count(), 0);
+    assert.ok(await page.locator("#hint").isVisible());
+    // Back to the curve, with its front.
+    await page.keyboard.press("Control+z");
+    await page.waitForFunction(() => document.querySelectorAll(".front-point").length > 1, null, PATIENCE);
+  }
+}));
+
 test("a front goes with its drawing, and comes anew for the next", () => visit({}, async (page) => {
   await draw(page, heart);
   await ended(page);

@@ -44,7 +44,7 @@ const takings = new Takings(() => ({ state: shown, candidate: scene.candidates[s
 const panel = new FrontPanel({ point: lookAt, take: takePoint });
 const workers = Kernel.available ? new Workers((text) => announce(say("sketch.failed", { text }))) : null;
 const search = workers && new Search(workers, take), leader = workers && new Leader(workers, lead);
-const surface = new Surface(byId("picture"), () => scene.view, { begin: stop, resume: () => solve(), box: (p, q) => boxes.put(p, q), stroke: (line) => put(modeOf(shown).stroke(shown, line)),
+const surface = new Surface(byId("picture"), () => scene.view, { begin: () => stop(), resume: () => solve(), box: (p, q) => boxes.put(p, q), stroke: (line) => put(modeOf(shown).stroke(shown, line)),
   click: (place, i) => put(modeOf(shown).click(shown, place, i)), drag: (i, place) => follow(modeOf(shown).moved(shown, i, place)), turn: (i, degrees) => follow({ angles: shown.angles.with(i, degrees) }), drop, remove });
 const boxes = new Boxes(surface, { state: () => shown, change, announce: (text) => announce(text), resume: () => solve() });
 const typed = new Typed({ state: () => shown, change, ask: (question) => search?.ask([question]), forget: forgetTyped, announce: (text) => announce(text) });
@@ -167,10 +167,7 @@ function searchAlong() {
   search.askNewest({ ...liveQuestion(shown, [...new Set([...candidates, ...dragged])]), at });
 }
 
-function stop() {
-  search?.cancel();
-  leader?.forget();
-}
+const stop = () => { search?.cancel(); leader?.forget(); };
 
 // States
 
@@ -200,11 +197,12 @@ function settle() {
   solve();
 }
 
-// Designs of another kind of drawing cannot be drawn in this one.
+// Designs of another kind of drawing cannot be drawn in this one, nor those of its front that a hand looks at.
 function leaveOthers() {
   scene.targets = shown;
   if ([...scene.candidates, ...(scene.looked ? [scene.looked] : [])].every(({ entry }) => suits(entry, shown))) return;
-  scene.looked = null;
+  Object.assign(scene, { candidates: [], looked: null });
+  panel.follow(null);
   offer([], 0);
 }
 
