@@ -56,6 +56,18 @@ test("a design is chosen, and all move", () => visit({ motion: "no-preference" }
   assert.ok(await page.locator("#design-2").isChecked());
 }));
 
+test("a card keeps the focus while longer searches answer", () => visit({}, async (page) => {
+  await draw(page, ellipse);
+  await offered(page);
+  await page.locator("#design-0").focus();
+  await settled(page);
+  assert.equal(await page.evaluate(() => document.activeElement.id), "design-0");
+  // Where cards say something else, they are others.
+  await page.locator("#by-slider").click();
+  await settled(page);
+  assert.equal((await facts(page, "stroke")).length, (await facts(page, "rms")).length);
+}));
+
 test("every step can be undone and made again", () => visit({}, async (page) => {
   await draw(page, ellipse);
   await offered(page);
@@ -99,6 +111,62 @@ test("a dragged point is searched for anew", () => visit({}, async (page) => {
   await page.locator("#undo").click();
   await settled(page);
   assert.ok(Math.abs((await facts(page, "rms"))[0] - rms) < 1e-9);
+}));
+
+// Questions about all designs wait until they are let go.
+const holdingSearches = (page) => page.addInitScript(() => {
+  Object.assign(window, { held: [], holds: false });
+  const { postMessage } = Worker.prototype;
+  Worker.prototype.postMessage = function (message) {
+    if (window.holds && message.problem && !message.problem.known_alone) window.held.push(() => postMessage.call(this, message)); else postMessage.call(this, message);
+  };
+});
+
+test("the design chosen follows a drag without the others, and is not taken back by what is found for a step before", () => visit({ prepare: holdingSearches }, async (page) => {
+  if (!hasKernel) return;
+  await draw(page, ellipse);
+  await settled(page);
+  await page.locator("#design-1").click();
+  const rms = () => facts(page, "rms"), chosen = () => page.locator(".design-card:has(:checked) [data-fact=rms]").getAttribute("data-value");
+  const changed = (value) => page.waitForFunction((before) => document.querySelector(".design-card:has(:checked) [data-fact=rms]").dataset.value !== before, value);
+  const before = await rms(), first = await chosen();
+  await page.evaluate(() => { window.holds = true; });
+  const box = await page.locator('[data-target="3"]').boundingBox(), [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 20, y - 25);
+  await changed(first);
+  const second = await chosen();
+  assert.deepEqual((await rms()).toSpliced(1, 1), before.toSpliced(1, 1));
+  assert.ok(await page.locator("#design-1").isChecked());
+  await page.mouse.move(x + 30, y - 40);
+  await changed(second);
+  const third = await chosen();
+  // The answer to the first step is followed by the question of the second.
+  await page.evaluate(() => window.held.shift()());
+  await page.waitForFunction(() => window.held.length === 1);
+  assert.equal(await chosen(), third);
+  assert.notDeepEqual((await rms()).filter((value) => String(value) !== third), before.toSpliced(1, 1));
+  await page.evaluate(() => { window.holds = false; });
+  await page.mouse.up();
+  await settled(page);
+  const design = addressOf(page);
+  assert.ok(Math.max(...misses(design)) <= design.max * 1.001 + 1e-4);
+}));
+
+test("a point put far outside the places that an address holds stands at their border, and zooming there does not leap", () => visit({ hash: "#p=-900000,0;0,900000;900000,0;0,-600000&o=open,points&l=any,30,3" }, async (page) => {
+  await offered(page);
+  const scale = async () => { const [a, b] = await Promise.all([0, 2].map((i) => page.locator(`[data-target="${i}"]`).boundingBox())); return b.x - a.x; };
+  const widened = await scale();
+  await page.locator("[data-zoom=farther]").click();
+  await page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
+  assert.ok(Math.abs(await scale() - widened) < 2, `${await scale()} after ${widened}`);
+  const box = await page.locator("#sheet").boundingBox();
+  await page.mouse.click(box.x + 4, box.y + box.height / 2);
+  assert.equal(await targets(page), 5);
+  assert.equal(addressOf(page).points[4][0], -1e6);
+  await page.reload();
+  assert.equal(await targets(page), 5);
 }));
 
 test("points are clicked, and put by keys alone", () => visit({}, async (page) => {

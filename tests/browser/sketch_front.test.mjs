@@ -100,6 +100,23 @@ for (const [name, drawn] of [["poses", (page) => put(page, SIX)], ["a curve", (p
   }));
 }
 
+test("a point of the front that has the focus goes with its kind of drawing", () => visit({}, async (page) => {
+  await draw(page, heart);
+  await page.waitForFunction(() => document.querySelectorAll(".front-point").length > 1, null, PATIENCE);
+  for (const kind of ["of-function", "of-line", "of-function"]) {
+    const front = page.locator(".front-point:not([aria-pressed='true'])");
+    await front.first().focus();
+    assert.equal(await page.locator(".looked-at").count(), 1);
+    await page.evaluate((id) => document.getElementById(id).click(), kind);
+    assert.equal(await page.locator(`#${kind}`).getAttribute("aria-pressed"), "true");
+    assert.equal(await page.locator(".looked-at").count(), 0);
+    assert.ok(await page.locator("#hint").isVisible());
+    // Back to the curve, with its front.
+    await page.keyboard.press("Control+z");
+    await page.waitForFunction(() => document.querySelectorAll(".front-point").length > 1, null, PATIENCE);
+  }
+}));
+
 test("a front goes with its drawing, and comes anew for the next", () => visit({}, async (page) => {
   await draw(page, heart);
   await ended(page);
@@ -148,8 +165,8 @@ for (const options of some([{ size: "phone", scheme: "dark", locale: "zh-CN" }, 
     await assertFits(page);
     if (options.locale) assert.doesNotMatch(await page.locator("main").innerText(), /[A-Za-z]{5}/);
     await page.locator("#front-plot").scrollIntoViewIfNeeded();
-    const last = page.locator(".front-point").last(), level = await last.getAttribute("data-level");
-    const mark = await last.boundingBox();
+    // All at once: the front may go on meanwhile, and has other marks then.
+    const { level, mark } = await page.evaluate(() => { const last = [...document.querySelectorAll(".front-point")].at(-1); return { level: last.dataset.level, mark: last.getBoundingClientRect().toJSON() }; });
     if (options.size === "phone") await page.touchscreen.tap(mark.x + mark.width / 2, mark.y + mark.height / 2); else await page.mouse.click(mark.x + 4, mark.y + 4);
     assert.equal(await limit(page), level);
   }));

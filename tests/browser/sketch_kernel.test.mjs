@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Candidate } from "../../app/report/page/sketch/candidate.js";
 import { Front } from "../../app/report/page/sketch/front.js";
-import { problemOf } from "../../app/report/page/sketch/question.js";
+import { leadingQuestion, problemOf } from "../../app/report/page/sketch/question.js";
 import { clearanceOf, couplerPose, leastTransmission } from "./closures.mjs";
 import { answer } from "./sketch_kernel.mjs";
 
@@ -51,6 +51,19 @@ function errorOf({ points, angles }, { mechanism, crank_deg: cranks, body_angle_
 }
 
 for (const [name, drawing] of [["poses", state(POSES)], ["a curve", { ...state(POSES), points: CURVE, angles: null }]]) {
+  test(`a design of ${name} follows by itself a target that is moved`, () => {
+    const [before] = answer(problemOf(drawing, { starts: 200, designs: 8 })).designs;
+    const moved = { ...drawing, points: drawing.points.with(2, [drawing.points[2][0] + 0.5, drawing.points[2][1] - 0.4]) };
+    const { problem, known: row } = leadingQuestion(moved, { entry: before }), { designs } = answer({ ...problem, known: row });
+    assert.equal(designs.length, 1);
+    const [after] = designs, own = errorOf(moved, after), stayed = errorOf(moved, before);
+    assert.ok(Math.abs(own - after.rms) < 1e-6 * own && own < stayed, `${own}, said to be ${after.rms}, against ${stayed}`);
+    assert.ok(leastTransmission(barOf(after.mechanism), after.crank_deg) >= 30 - 1e-3);
+    const far = ({ mechanism: m }) => [...m.fixed_pivots.flat(), m.crank, m.coupler, m.rocker, ...m.coupler_point];
+    far(after).forEach((x, i) => assert.ok(Math.abs(x - far(before)[i]) < 8, `${far(after)} against ${far(before)}`));
+    assert.deepEqual(answer(problem).designs, []);
+  });
+
   test(`the front of ${name} rises, and circles that meet measure its designs alike`, () => {
     const { front: { points }, asked } = frontOf(drawing);
     assert.ok(points.length >= 5 && asked < 30, `${points.length} points after ${asked}`);
@@ -104,7 +117,7 @@ test("what is no question is refused in a sentence", () => {
   const wrong = [{}, { kind: "cam" }, { kind: 3 }, { kind: "motion-generation" }, { kind: "motion-generation", target: {} }, { kind: "path-generation" },
     { kind: "path-generation", target: { points: [[0, 0], [1, 1]] } }, { ...poses, target: { poses: POSES.slice(0, 1) } }, { ...poses, target: { poses: [[0, 0], [1, 1]] } },
     { ...poses, target: { poses: POSES, angle_weight: -1 } }, { ...poses, target: { poses: [...POSES, [NaN, 0, 0]] } }, { ...poses, known: [[1, 2, 3]] }, { ...poses, known: [[...row, 0]] },
-    { ...poses, known: [[...row, 0, 10, 20, 30, 40, NaN]] }, { ...poses, limits: 3 }];
+    { ...poses, known: [[...row, 0, 10, 20, 30, 40, NaN]] }, { ...poses, limits: 3 }, { ...poses, known_alone: 1 }];
   for (const question of wrong) {
     const { faults } = answer(question);
     assert.ok(faults?.length > 0 && faults.every((fault) => /\w+ .*\w/.test(fault)), `${JSON.stringify(question)}: ${faults}`);

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { randomNumbers } from "../bench/report/drawings.mjs";
 import { generatedFunction } from "../bench/report/functions.mjs";
-import { problemOf } from "../../app/report/page/sketch/question.js";
+import { leadingQuestion, problemOf } from "../../app/report/page/sketch/question.js";
 import { leastTransmission, rockerAngle } from "./closures.mjs";
 import { answer } from "./sketch_kernel.mjs";
 
@@ -49,6 +49,16 @@ test("a search for functions that begins with designs ends with none worse", () 
   const { designs } = asked(QUADRANT);
   const again = answer({ ...problemOf(QUADRANT, { starts: 1, designs: 8 }), known: designs.map(known) }).designs;
   assert.ok(again[0].rms <= designs[0].rms * (1 + 1e-6), `${again[0].rms} after ${designs[0].rms}`);
+});
+
+test("a generator follows by itself a pair that is moved", () => {
+  const [before] = asked(QUADRANT).designs, moved = { ...QUADRANT, points: QUADRANT.points.with(4, [QUADRANT.points[4][0], QUADRANT.points[4][1] + 1]) };
+  const { problem, known: row } = leadingQuestion(moved, { entry: before }), { designs } = answer({ ...problem, known: row });
+  check(moved, designs);
+  assert.ok(designs.length === 1 && designs[0].rms > before.rms, `${designs.length}`);
+  const all = answer({ ...problemOf(moved, { starts: 128, designs: 8 }), known: row }).designs[0].rms;
+  assert.ok(designs[0].rms < 1.5 * all, `${designs[0].rms} against ${all}`);
+  assert.deepEqual(answer(problem).designs, []);
 });
 
 test("an expression has its values at equal steps", () => {

@@ -7,7 +7,7 @@ import os from "node:os";
 import path from "node:path";
 import { test } from "node:test";
 import { harmonicStroke, randomNumbers } from "../bench/report/drawings.mjs";
-import { problemOf } from "../../app/report/page/sketch/question.js";
+import { leadingQuestion, problemOf } from "../../app/report/page/sketch/question.js";
 import { placedOn } from "../../app/report/page/sketch/ruled.js";
 import { problemToml } from "../../app/report/page/toml.js";
 import { couplerPose, leastTransmission, sliderOf, sliderPose } from "./closures.mjs";
@@ -52,6 +52,17 @@ test("curves of slider-cranks are found to rounding", () => {
     const state = { ...LIMITS, least: 15, reach: 5, slides: true, closed: true, points: planted(random) }, { designs } = asked(state, 500);
     checkSliders(state, designs);
     assert.ok(designs[0].rms < 1e-6, `${designs[0].rms} of ${i}`);
+  }
+});
+
+test("a slider-crank follows by itself a point that is moved", () => {
+  for (let i = 0; i < 4; ++i) {
+    const state = stroke(i), [before] = asked(state, 200).designs, moved = { ...state, points: state.points.with(3, state.points[3].map((x) => x + 0.4)) };
+    const { problem, known } = leadingQuestion(moved, { entry: before }), { designs } = answer({ ...problem, known });
+    checkSliders(moved, designs);
+    const stayed = rms(moved.points.map((p, k) => { const { at } = sliderPose(sliderOf(before.mechanism), before.crank_deg[k] * RADIANS); return Math.hypot(at[0] - p[0], at[1] - p[1]); }));
+    assert.ok(designs.length === 1 && designs[0].rms < stayed, `${designs[0]?.rms} against ${stayed}`);
+    assert.deepEqual(answer(problem).designs, []);
   }
 });
 

@@ -57,7 +57,7 @@ async function prepare(page) {
     window.Worker = class {
       terminate() { this.ended = true; }
       postMessage({ id, problem }) {
-        if (problem === undefined) return;
+        if (problem === undefined || problem.known_alone) return;   // the program draws starts besides
         this.queue = (this.queue ?? Promise.resolve()).then(async () => {
           if (this.ended) return;
           const answer = await window.programAnswer(problem);

@@ -65,6 +65,7 @@ const DOES = {
   }, [pick(["least", "reach", "even"]), random()]),
   class: (page) => page.evaluate((share) => {
     const choice = document.getElementById("class");
+    if (!choice.checkVisibility()) return;
     choice.selectedIndex = Math.floor(share * choice.options.length);
     choice.dispatchEvent(new Event("change", { bubbles: true }));
   }, random()),

@@ -48,7 +48,8 @@ void require_target(problems::reading::TableReader& target, std::string_view key
 
 /// The answer to a question. `read(tables, problem)` fills a problem from the tables and gives the
 /// number of its targets, `solve(problem, run)` gives designs; `known(reader, targets)` are those
-/// that the search begins with, `mechanism_of` says what a design is.
+/// that the search begins with, and where the question says `known_alone` no others;
+/// `mechanism_of` says what a design is.
 template <class Problem, class Read, class Solve, class Known = decltype(&read_known)>
 nlohmann::ordered_json answered(const SketchQuestion& question, const Read& read,
                                 const Solve& solve, const Known& known = &read_known,
@@ -61,6 +62,7 @@ nlohmann::ordered_json answered(const SketchQuestion& question, const Read& read
   const std::size_t targets = read(tables, problem);
   tables.finish();
   auto begun = known(reader, targets);
+  if (reader.boolean("known_alone").value_or(false)) problem.solve.starts = 0;
   reader.finish();
   if (!faults.empty()) return faults_json(std::move(faults));
   return sketched(solve(problem, run_of(question, std::move(begun))), mechanism_of);

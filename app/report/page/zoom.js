@@ -66,7 +66,8 @@ export class Zoom {
     const scene = this.scene();
     if (!scene?.view) return;
     const { view, camera } = scene;
-    const wanted = Math.min(ZOOMS[1], Math.max(ZOOMS[0], camera.factor * factor));
+    // A picture that was widened for what it shows may be farther than that, and does not leap.
+    const wanted = Math.min(ZOOMS[1], Math.max(Math.min(ZOOMS[0], camera.factor), camera.factor * factor));
     const real = wanted / camera.factor;
     const held = view.plane(at);
     camera.shift = camera.shift.map((v, k) => v + (held[k] - view.centre[k]) * (1 - 1 / real));

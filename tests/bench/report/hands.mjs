@@ -1,8 +1,8 @@
 // How the page of `cognate sketch` follows a hand in headless Chromium:
 //   BROWSER_PACKAGES=$PWD/build/release/tests/browser/npm node tests/bench/report/hands.mjs build/release/app/cognate [DRAWINGS [KIND]]
 // Of random strokes, for four-bars and for slider-cranks, of poses, of functions and of straight lines: from the end of the drawing to
-// the first designs, the time between frames until the search ends, and from a step of a drag to the designs that follow it (those of a
-// line without a search). KIND: strokes, sliders, poses, functions or lines alone. Median, 95 % and worst; on a machine that does other
+// the first designs, the time between frames until the search ends, and from a step of a drag to the first design that follows it, the one
+// chosen (those of a line without a search). KIND: strokes, sliders, poses, functions or lines alone. Median, 95 % and worst; on a machine that does other
 // work besides only the first figure means something.
 import { execFileSync } from "node:child_process";
 import fs from "node:fs";
@@ -22,7 +22,7 @@ function watch() {
     if (!document.querySelector(".design-card")) return;
     seen.designs ??= now();
     if (seen.step !== null) { seen.steps.push(now() - seen.step); seen.step = null; }
-  }).observe(document.getElementById("designs"), { childList: true });
+  }).observe(document.getElementById("designs"), { childList: true, subtree: true, attributes: true });
   addEventListener("pointerup", () => { seen.released = now(); seen.designs = null; seen.step = null; }, true);
   addEventListener("pointermove", (event) => { if (event.target.dataset.target) seen.step ??= now(); }, true);
   let last = now();

@@ -9,9 +9,9 @@ import { areSound } from "./pairs.js";
 import { ANY_SPEED } from "./question.js";
 import { inTurn } from "./posed.js";
 import { sliderOf, sliderText } from "./slider_text.js";
+import { FARTHEST } from "./stroke.js";
 
 const PLACES_OF_LINE = 3;
-const FARTHEST = 1e6;              // units of the sheet; pictures hold no places much farther
 const LONGEST_EXPRESSION = 400;
 const LEAST = [0, 70], REACH = [1, 10], EVEN = [5, ANY_SPEED];
 

@@ -30,24 +30,44 @@ function sizeRows({ entry, linkage, lengths, ratio, size: own }, state) {
     ["starts", say("sketch.starts"), starts, starts.map((start) => degrees(start, 1)).join(", ")]];
 }
 
-export class Cards {
-  constructor(onChoose) { this.onChoose = onChoose; }
+// What a card says: the key, the name, the value and the text of each row.
+function rowsOf(one, state) {
+  const { entry } = one;
+  return [["rms", say(state.straight ? "sketch.deviation" : "sketch.rms"), entry.rms, rmsText(entry.rms, state)], ...(state.straight ? lineRows(entry) : [["max", say("sketch.max"), entry.max, errorOfDrawing(entry.max, state)]]),
+    ...(entry.stray > entry.rms ? [["stray", say("sketch.stray"), entry.stray, errorOfDrawing(entry.stray, state)]] : []),
+    ...(entry.angle_max_deg === undefined ? [] : [["angle", say("sketch.angle"), entry.angle_max_deg, degrees(entry.angle_max_deg, 2)]]),
+    ["least", say("sketch.transmission"), entry.transmission_acute_min_deg, degrees(entry.transmission_acute_min_deg, 1)], ["class", say("sketch.class"), entry.class, sentence(term(entry.class))], ...sizeRows(one, state)];
+}
 
+export class Cards {
+  constructor(onChoose) { Object.assign(this, { onChoose, cards: [] }); }
+
+  // A card stays, and only its values change, where it says the same of another design: that takes far less of the browser.
   show(candidates, chosen, state) {
-    byId("designs").replaceChildren(...candidates.map((one, i) => this.#card(one, i, i === chosen, state)));
+    const rows = candidates.map((one) => rowsOf(one, state));
+    this.cards = rows.map((own, i) => this.#fitting(i, own.map(([, name]) => name).join()) ?? this.#card(i, own));
+    rows.forEach((own, i) => this.#fill(this.cards[i], own, i === chosen));
+    const holder = byId("designs"), roots = this.cards.map(({ root }) => root);
+    if (roots.length !== holder.children.length || roots.some((root, i) => root !== holder.children[i])) holder.replaceChildren(...roots);
     byId("designs-none").hidden = candidates.length > 0;
   }
 
-  #card(one, i, chosen, state) {
-    const { entry } = one;
+  #fitting(i, names) { return this.cards[i]?.names === names ? this.cards[i] : null; }
+
+  #card(i, rows) {
     const input = element("input", { type: "radio", name: "design", id: `design-${i}`, value: i });
-    input.checked = chosen;
     input.addEventListener("change", () => this.onChoose(i));
-    const rows = [["rms", say(state.straight ? "sketch.deviation" : "sketch.rms"), entry.rms, rmsText(entry.rms, state)], ...(state.straight ? lineRows(entry) : [["max", say("sketch.max"), entry.max, errorOfDrawing(entry.max, state)]]),
-      ...(entry.stray > entry.rms ? [["stray", say("sketch.stray"), entry.stray, errorOfDrawing(entry.stray, state)]] : []),
-      ...(entry.angle_max_deg === undefined ? [] : [["angle", say("sketch.angle"), entry.angle_max_deg, degrees(entry.angle_max_deg, 2)]]),
-      ["least", say("sketch.transmission"), entry.transmission_acute_min_deg, degrees(entry.transmission_acute_min_deg, 1)], ["class", say("sketch.class"), entry.class, sentence(term(entry.class))], ...sizeRows(one, state)];
-    return element("label", { class: `design-card sketch-${i}`, for: `design-${i}` }, element("span", { class: "design-name" }, input, say("sketch.design", { name: i + 1 })),
-      element("dl", {}, ...rows.map(([key, name, value, text]) => element("div", {}, element("dt", {}, name), element("dd", { "data-fact": key, "data-value": JSON.stringify(value) }, text)))));
+    const values = rows.map(([key]) => element("dd", { "data-fact": key }));
+    const root = element("label", { class: `design-card sketch-${i}`, for: `design-${i}` }, element("span", { class: "design-name" }, input, say("sketch.design", { name: i + 1 })),
+      element("dl", {}, ...rows.map(([, name], k) => element("div", {}, element("dt", {}, name), values[k]))));
+    return { root, input, values, names: rows.map(([, name]) => name).join() };
+  }
+
+  #fill({ input, values }, rows, chosen) {
+    input.checked = chosen;
+    rows.forEach(([, , value, text], k) => {
+      values[k].dataset.value = JSON.stringify(value);
+      if (values[k].textContent !== text) values[k].textContent = text;
+    });
   }
 }

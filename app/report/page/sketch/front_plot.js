@@ -34,9 +34,10 @@ export class FrontPlot {
 
   // Focus and hint stay where the hand is.
   #draw() {
-    const { points } = this.front, width = this.holder.clientWidth, { hinted } = this, focused = this.#focused;
+    // Its width, which costs a layout of the page, is asked for where there is something to draw.
+    const { points } = this.front, width = points.length && this.holder.clientWidth, { hinted } = this, focused = this.#focused;
     Object.assign(this, { drawn: points, circles: [] });
-    if (points.length && width) this.#build(points, width); else this.holder.replaceChildren();
+    if (width) this.#build(points, width); else this.holder.replaceChildren();
     if (focused) this.circles[points.indexOf(points.find(({ level }) => level >= focused.level) ?? points.at(-1))]?.focus({ preventScroll: true });
     this.#hint(points.find(({ level }) => level === hinted?.level) ?? null);
   }

@@ -19,14 +19,16 @@ import { Cards, percent } from "./cards.js";
 import { clearCosts, costQuestions, showCost } from "./costs.js";
 import { FrontPanel } from "./front_panel.js";
 import { onLayout } from "./layout.js";
+import { Leader } from "./leader.js";
 import { modeOf, MODES } from "./modes.js";
-import { ANY_SPEED, CLASSES_ASKED, drawingSize, liveQuestion, questionsOf, suits } from "./question.js";
+import { ANY_SPEED, CLASSES_ASKED, drawingSize, leadingQuestion, liveQuestion, questionsOf, suits } from "./question.js";
 import { SketchScene } from "./scene.js";
 import { Search } from "./search.js";
 import { strokeTargets } from "./stroke.js";
 import { Surface } from "./surface.js";
 import { Takings } from "./takings.js";
 import { Typed } from "./typed.js";
+import { Workers } from "./worker.js";
 
 // `angles`: of poses one for each point, in degrees, else null; `ranges`: of a function, whose points are pairs of angles, those of
 // input and output in degrees, else null; `typed`: the expression {text, domain} of these pairs, if they are of one.
@@ -40,8 +42,9 @@ controls.player.pace = 120;
 const cards = new Cards((i) => choose(i));
 const takings = new Takings(() => ({ state: shown, candidate: scene.candidates[scene.chosen] }));
 const panel = new FrontPanel({ point: lookAt, take: takePoint });
-const search = Kernel.available ? new Search(take, (text) => announce(say("sketch.failed", { text }))) : null;
-const surface = new Surface(byId("picture"), () => scene.view, { begin: () => search?.cancel(), resume: () => solve(), box: (p, q) => boxes.put(p, q), stroke: (line) => put(modeOf(shown).stroke(shown, line)),
+const workers = Kernel.available ? new Workers((text) => announce(say("sketch.failed", { text }))) : null;
+const search = workers && new Search(workers, take), leader = workers && new Leader(workers, lead);
+const surface = new Surface(byId("picture"), () => scene.view, { begin: () => stop(), resume: () => solve(), box: (p, q) => boxes.put(p, q), stroke: (line) => put(modeOf(shown).stroke(shown, line)),
   click: (place, i) => put(modeOf(shown).click(shown, place, i)), drag: (i, place) => follow(modeOf(shown).moved(shown, i, place)), turn: (i, degrees) => follow({ angles: shown.angles.with(i, degrees) }), drop, remove });
 const boxes = new Boxes(surface, { state: () => shown, change, announce: (text) => announce(text), resume: () => solve() });
 const typed = new Typed({ state: () => shown, change, ask: (question) => search?.ask([question]), forget: forgetTyped, announce: (text) => announce(text) });
@@ -51,8 +54,9 @@ let steps = new History({ ...EMPTY, ...read?.state });
 let shown = steps.present, held = null, begun = 0;
 // The address as the page knows it.
 let kept = location.href;
-// The designs that were shown when a drag began; null while nothing is dragged.
-let dragged = null;
+// The designs that were shown when a drag began; null while nothing is dragged. Its steps are counted: that of the last answer with all
+// designs, and the last one of the design that leads.
+let dragged = null, moves = 0, followed = 0, led = { at: 0, candidate: null };
 
 const announce = (text) => { byId("state").textContent = text; };
 const isEnough = () => shown.points.length >= modeOf(shown).fewest;
@@ -114,11 +118,19 @@ function takeOfFront(found) {
   if (!panel.front.ended) search.ask([panel.front.question]);
 }
 
-// Designs of the longer searches replace those before where they are better.
-function takeFound(answer, found, { live, first, last }) {
+// The design chosen, which a drag takes along before the others.
+function lead({ designs = [] }, { at }) {
+  const [first] = differing(designs.map((entry) => modeOf(shown).candidate(entry, shown)), 1, drawingSize(shown), null);
+  if (!first || at <= followed) return;
+  led = { at, candidate: first };
+  offer(scene.candidates.toSpliced(scene.chosen, 1, first), scene.chosen);
+}
+
+// Designs of the longer searches replace those before where they are better; in a drag the one that leads may be ahead.
+function takeFound(answer, found, { live, first, last, at }) {
   const before = first ? [] : scene.candidates;
-  if (!live) panel.front.add(found);
-  const candidates = differing([...(live ? found : panel.front.within(shown.least)), ...before], SHOWN, drawingSize(shown), held);
+  if (live) followed = at; else { panel.front.add(found); leader.prepare(); }
+  const candidates = differing([...(live ? found : panel.front.within(shown.least)), ...before], SHOWN, drawingSize(shown), live && led.at > at ? led.candidate : held);
   const chosen = scene.candidates[scene.chosen];
   offer(candidates, Math.max(0, live && chosen ? nearestTo(candidates, chosen) : candidates.indexOf(held)));
   if (!live && scene.candidates.length) widen();
@@ -143,10 +155,19 @@ function solve(live = false) {
   clearCosts();
   panel.follow(search && isEnough() && !live ? shown : null);
   if (!search || !isEnough()) return;
-  if (live) { search.askNewest(liveQuestion(shown, [...new Set([...scene.candidates, ...dragged])])); return; }
+  if (live) { searchAlong(); return; }
   announce(say("sketch.searching"));
   search.ask([...typed.checks(shown), ...questionsOf(shown, scene.candidates)]);
 }
+
+// While a hand drags.
+function searchAlong() {
+  const { candidates, chosen } = scene, at = ++moves, leading = candidates[chosen] && leadingQuestion(shown, candidates[chosen]);
+  if (leading) leader.ask({ ...leading, at });
+  search.askNewest({ ...liveQuestion(shown, [...new Set([...candidates, ...dragged])]), at });
+}
+
+const stop = () => { search?.cancel(); leader?.forget(); };
 
 // States
 
@@ -168,7 +189,7 @@ function forgetTyped() {
 function settle() {
   shown = steps.present;
   held = dragged = null;
-  search?.cancel();
+  stop();
   leaveOthers();
   if (!isEnough()) askForMore();
   showState();
@@ -176,11 +197,12 @@ function settle() {
   solve();
 }
 
-// Designs of another kind of drawing cannot be drawn in this one.
+// Designs of another kind of drawing cannot be drawn in this one, nor those of its front that a hand looks at.
 function leaveOthers() {
   scene.targets = shown;
   if ([...scene.candidates, ...(scene.looked ? [scene.looked] : [])].every(({ entry }) => suits(entry, shown))) return;
-  scene.looked = null;
+  Object.assign(scene, { candidates: [], looked: null });
+  panel.follow(null);
   offer([], 0);
 }
 
@@ -348,7 +370,7 @@ function open(entry) {
 // Shows the present state with a design, if any, which stays until the points change, and others.
 function hold(candidate, others = []) {
   shown = steps.present;
-  search?.cancel();
+  stop();
   held = candidate;
   dragged = null;
   leaveOthers();

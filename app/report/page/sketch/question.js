@@ -116,6 +116,12 @@ function knownOf(state, candidates) {
   return ranges ? entries.map(asKnownGenerator) : entries.filter(({ crank_deg: cranks }) => cranks.length === points.length).map(slides ? asKnownSlider : asKnown);
 }
 
+// The question of the design that leads while a hand drags, from what it was; null where it has no place to begin at.
+export function leadingQuestion(state, candidate) {
+  const known = knownOf(state, [candidate]);
+  return known.length ? { problem: { ...problemOf(state, { designs: 1 }), known_alone: true }, known } : null;
+}
+
 // The question while a hand still drags: from designs that were shown, if there are any.
 export function liveQuestion(state, candidates) {
   const known = knownOf(state, candidates).slice(0, mostKnown(state));

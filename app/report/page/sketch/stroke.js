@@ -36,8 +36,10 @@ export function smoothed(points, closed) {
     : p.map((x, k) => x / 2 + (points[(i + count - 1) % count][k] + points[(i + 1) % count][k]) / 4)));
 }
 
+// Units of the sheet: no target lies farther out, however far the view is. An address holds no places beyond, either.
+export const FARTHEST = 1e6;
 const SHARE = 100;
-export const rounded = (point) => point.map((x) => Math.round(SHARE * x) / SHARE + 0);
+export const rounded = (point) => point.map((x) => Math.round(SHARE * Math.max(-FARTHEST, Math.min(FARTHEST, x))) / SHARE + 0);
 
 // The target points of a freehand stroke, and whether it is closed.
 export function strokeTargets(stroke) {
