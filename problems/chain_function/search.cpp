@@ -18,7 +18,8 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kFeasible = 1e-7;  ///< violations up to this, of a cosine, are none
 constexpr int kSearchIterations = 40, kFinalIterations = 300;
 constexpr int kSearchExchanges = 2, kFinalExchanges = 8;
-constexpr double kSearchTolerance = 1e-4;
+/// Relative, of the objective: where it is flat a design is known to the root of this alone.
+constexpr double kSearchTolerance = 1e-4, kFinalTolerance = 1e-14;
 constexpr int kFewestStarts = 24 * kHoppingRound;
 
 struct FittedFunction {
@@ -42,8 +43,10 @@ struct FunctionRules {
 };
 
 /// Largest errors that are equal leave directions in which only curvature holds a design.
-synthesis::Options function_options(const synthesis::Deadline& deadline, int iterations) {
+synthesis::Options function_options(const synthesis::Deadline& deadline, int iterations,
+                                    double tolerance) {
   synthesis::Options options = fit_options(deadline, iterations);
+  options.tolerance = tolerance;
   options.learns_curvature = true;
   return options;
 }
@@ -134,8 +137,7 @@ struct FunctionMethod {
   static FittedFunction search_fit(const Space& space, const Design& start,
                                    const synthesis::Deadline& deadline,
                                    const synthesis::WorkCounter& work) {
-    auto options = function_options(deadline, kSearchIterations);
-    options.tolerance = kSearchTolerance;
+    const auto options = function_options(deadline, kSearchIterations, kSearchTolerance);
     return fitted(space, start,
                   {space.coarse, Objective::sum_of_squares, kSearchExchanges, options}, work);
   }
@@ -144,7 +146,7 @@ struct FunctionMethod {
                                   const synthesis::Deadline& deadline,
                                   const synthesis::WorkCounter& work) {
     Fitting how{space.fine, Objective::sum_of_squares, kFinalExchanges,
-                function_options(deadline, kFinalIterations)};
+                function_options(deadline, kFinalIterations, kFinalTolerance)};
     FittedFunction best = fitted(space, start, how, work);
     if (!space.is_minimax) return best;
     best.error = largest_error(space, best.design);

@@ -19,13 +19,15 @@ namespace {
 constexpr int kSearchNodes = 17, kFinalNodes = 65;
 constexpr int kSearchIterations = 60, kFinalIterations = 300;
 constexpr int kSearchExchanges = 3, kFinalExchanges = 8;
-constexpr double kSearchTolerance = 1e-4;
+constexpr double kSearchTolerance = 1e-4, kFinalTolerance = 1e-9;
 constexpr int kFewestStarts = 48 * kHoppingRound;
 constexpr int kOutputSamples = 180, kExtremeSteps = 24;
 
 /// Peaks of equal height leave directions in which only curvature holds a design.
-synthesis::Options dwell_options(const synthesis::Deadline& deadline, int iterations) {
+synthesis::Options dwell_options(const synthesis::Deadline& deadline, int iterations,
+                                 double tolerance) {
   synthesis::Options options = fit_options(deadline, iterations);
+  options.tolerance = tolerance;
   options.learns_curvature = true;
   return options;
 }
@@ -161,15 +163,14 @@ struct DwellMethod {
   static Fitted search_fit(const Space& space, const Design& start,
                            const synthesis::Deadline& deadline,
                            const synthesis::WorkCounter& work) {
-    auto options = dwell_options(deadline, kSearchIterations);
-    options.tolerance = kSearchTolerance;
+    const auto options = dwell_options(deadline, kSearchIterations, kSearchTolerance);
     return fitted(space, start, kSearchNodes, kSearchExchanges, options, work);
   }
 
   static Fitted final_fit(const Space& space, const Design& start,
                           const synthesis::Deadline& deadline, const synthesis::WorkCounter& work) {
     return fitted(space, start, kFinalNodes, kFinalExchanges,
-                  dwell_options(deadline, kFinalIterations), work);
+                  dwell_options(deadline, kFinalIterations, kFinalTolerance), work);
   }
 };
 
@@ -180,7 +181,7 @@ DwellFit fit_dwell(const DwellSpace& space, const DwellDesign& start, bool is_fi
   constexpr int kIterations = 60, kRounds = 4;
   const synthesis::WorkCounter unread;
   return fitted(space, start, is_final ? kFinalNodes : kSearchNodes, kRounds,
-                dwell_options(deadline, kIterations), unread);
+                dwell_options(deadline, kIterations, kFinalTolerance), unread);
 }
 
 DwellSearchResult search_dwells(const std::vector<DwellSpace>& spaces, const Solve& options,
