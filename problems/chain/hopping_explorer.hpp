@@ -76,7 +76,7 @@ class HoppingExplorer {
     constexpr std::size_t kKept = 24;
     // Relative: of designs as close as that one alone is disturbed again, so that those kept lie in
     // different valleys.
-    constexpr double kSameValley = 0.2;
+    constexpr double kSameValley = 0.1;
     std::vector<Candidate> fresh(static_cast<std::size_t>(count));
     search_.for_each(fresh.size(), [&](std::size_t i) {
       const auto start_number = static_cast<std::uint64_t>(first) + std::uint64_t{i};
@@ -91,7 +91,7 @@ class HoppingExplorer {
   }
 
   std::optional<Design> start_of(std::uint64_t number, std::mt19937_64& random) const {
-    constexpr double kLeastHop = 0.03, kMostHop = 0.5;
+    constexpr double kLeastHop = 3e-3, kMostHop = 0.5;
     const auto& all = search_.all();
     if (all.empty() || number < Method::kDrawnStarts ||
         uniform(random, 0, 1) >= Method::kHopShare) {

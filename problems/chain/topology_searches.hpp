@@ -15,6 +15,30 @@ inline synthesis::Options fit_options(const synthesis::Deadline& deadline, int i
                           {.tolerance = 1e-9, .feasibility = 1e-9, .max_iterations = iterations});
 }
 
+/// The same by Gauss-Newton, to `tolerance` of the objective. Largest residuals that are equal
+/// leave directions in which only curvature holds a design.
+inline synthesis::Options fit_options(const synthesis::Deadline& deadline, int iterations,
+                                      double tolerance) {
+  synthesis::Options options = fit_options(deadline, iterations);
+  options.tolerance = tolerance;
+  options.learns_curvature = true;
+  return options;
+}
+
+/// The minimum by Gauss-Newton; where its steps do not lead within the limits to `feasible`, by a
+/// solver whose steps may leave them for a while.
+inline synthesis::Solution minimum_within(const synthesis::Model& model,
+                                          std::span<const double> start,
+                                          const synthesis::Options& options, double feasible,
+                                          const synthesis::WorkCounter& work) {
+  auto solution = synthesis::solve(synthesis::Solver::gauss_newton, model, start, options);
+  work.count(solution);
+  if (solution.violation <= feasible) return solution;
+  solution = synthesis::solve(synthesis::Solver::slsqp, model, start, options);
+  work.count(solution);
+  return solution;
+}
+
 /// An explorer of each space, made of it, its number and `context`: each in turn explores by `rule`
 /// and finishes, in equal shares of the progress.
 template <class Explorer, class Spaces, class... Context>

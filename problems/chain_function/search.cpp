@@ -42,15 +42,6 @@ struct FunctionRules {
   }
 };
 
-/// Largest errors that are equal leave directions in which only curvature holds a design.
-synthesis::Options function_options(const synthesis::Deadline& deadline, int iterations,
-                                    double tolerance) {
-  synthesis::Options options = fit_options(deadline, iterations);
-  options.tolerance = tolerance;
-  options.learns_curvature = true;
-  return options;
-}
-
 /// How a fit is made.
 struct Fitting {
   std::span<const synthesis::AnglePair> pairs;
@@ -58,19 +49,6 @@ struct Fitting {
   int exchanges;
   synthesis::Options options;
 };
-
-/// By Gauss-Newton; where its steps do not lead within the limits, by a solver whose steps may
-/// leave them for a while.
-synthesis::Solution minimum_of(const ChainFunctionModel& model, const Fitting& how,
-                               const synthesis::WorkCounter& work) {
-  const auto start = model.start();
-  auto solution = synthesis::solve(synthesis::Solver::gauss_newton, model, start, how.options);
-  work.count(solution);
-  if (solution.violation <= kFeasible) return solution;
-  solution = synthesis::solve(synthesis::Solver::slsqp, model, start, how.options);
-  work.count(solution);
-  return solution;
-}
 
 /// Fits from `start`, limits asked anew where they are extreme, until none is violated between.
 FittedFunction fitted(const ChainFunctionSpace& space, const ChainFunctionDesign& start,
@@ -87,7 +65,7 @@ FittedFunction fitted(const ChainFunctionSpace& space, const ChainFunctionDesign
   watch();
   for (int exchange = 0; exchange < how.exchanges; ++exchange) {
     const ChainFunctionModel model(space, here.design, watched, how.pairs, how.objective);
-    const auto solution = minimum_of(model, how, work);
+    const auto solution = minimum_within(model, model.start(), how.options, kFeasible, work);
     if (solution.stop == synthesis::Stop::no_value || !std::isfinite(solution.objective)) break;
     const double before = here.design.start;
     here.design = model.design(solution.x);
@@ -110,7 +88,7 @@ double largest_error(const ChainFunctionSpace& space, const ChainFunctionDesign&
       *std::ranges::max_element(errors, {}, [](double error) { return std::abs(error); }));
 }
 
-FittedFunction better(FittedFunction known, FittedFunction other) {
+FittedFunction better(const FittedFunction& known, const FittedFunction& other) {
   const bool is_known = known.violation <= kFeasible;
   const bool is_better = other.violation <= kFeasible && (!is_known || other.error < known.error);
   return is_better ? other : known;
@@ -121,7 +99,7 @@ struct FunctionMethod {
   using Design = ChainFunctionDesign;
   using Rules = FunctionRules;
   /// Of another valley than that of the first good designs most starts would find none.
-  static constexpr std::uint64_t kDrawnStarts = 6 * kHoppingRound;
+  static constexpr std::uint64_t kDrawnStarts = std::uint64_t{6} * kHoppingRound;
   static constexpr double kHopShare = 0.7;
 
   static std::optional<Design> draw(const Space& space, std::mt19937_64& random) {
@@ -137,7 +115,7 @@ struct FunctionMethod {
   static FittedFunction search_fit(const Space& space, const Design& start,
                                    const synthesis::Deadline& deadline,
                                    const synthesis::WorkCounter& work) {
-    const auto options = function_options(deadline, kSearchIterations, kSearchTolerance);
+    const auto options = fit_options(deadline, kSearchIterations, kSearchTolerance);
     return fitted(space, start,
                   {space.coarse, Objective::sum_of_squares, kSearchExchanges, options}, work);
   }
@@ -146,12 +124,12 @@ struct FunctionMethod {
                                   const synthesis::Deadline& deadline,
                                   const synthesis::WorkCounter& work) {
     Fitting how{space.fine, Objective::sum_of_squares, kFinalExchanges,
-                function_options(deadline, kFinalIterations, kFinalTolerance)};
+                fit_options(deadline, kFinalIterations, kFinalTolerance)};
     FittedFunction best = fitted(space, start, how, work);
     if (!space.is_minimax) return best;
     best.error = largest_error(space, best.design);
     how.objective = Objective::max_abs;
-    return better(std::move(best), fitted(space, best.design, how, work));
+    return better(best, fitted(space, best.design, how, work));
   }
 };
 

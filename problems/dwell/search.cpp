@@ -23,15 +23,6 @@ constexpr double kSearchTolerance = 1e-4, kFinalTolerance = 1e-9;
 constexpr int kFewestStarts = 48 * kHoppingRound;
 constexpr int kOutputSamples = 180, kExtremeSteps = 24;
 
-/// Peaks of equal height leave directions in which only curvature holds a design.
-synthesis::Options dwell_options(const synthesis::Deadline& deadline, int iterations,
-                                 double tolerance) {
-  synthesis::Options options = fit_options(deadline, iterations);
-  options.tolerance = tolerance;
-  options.learns_curvature = true;
-  return options;
-}
-
 struct Fitted : DwellFit {
   int hits = 1;
 };
@@ -124,10 +115,8 @@ Fitted fitted(const DwellSpace& space, const DwellDesign& start, int nodes, int 
     checks.transmission = watched;
     checks.apart = apart;
     const DwellModel model(space, here.design, checks, nodes, unit);
-    const auto x = model.start();
     const synthesis::Solution solution =
-        synthesis::solve(synthesis::Solver::gauss_newton, model, x, options);
-    work.count(solution);
+        minimum_within(model, model.start(), options, kDwellFeasibility, work);
     if (solution.stop == synthesis::Stop::no_value || !std::isfinite(solution.objective)) break;
     here.design = model.design(solution.x);
     here.half_band = solution.objective * unit;
@@ -163,14 +152,14 @@ struct DwellMethod {
   static Fitted search_fit(const Space& space, const Design& start,
                            const synthesis::Deadline& deadline,
                            const synthesis::WorkCounter& work) {
-    const auto options = dwell_options(deadline, kSearchIterations, kSearchTolerance);
+    const auto options = fit_options(deadline, kSearchIterations, kSearchTolerance);
     return fitted(space, start, kSearchNodes, kSearchExchanges, options, work);
   }
 
   static Fitted final_fit(const Space& space, const Design& start,
                           const synthesis::Deadline& deadline, const synthesis::WorkCounter& work) {
     return fitted(space, start, kFinalNodes, kFinalExchanges,
-                  dwell_options(deadline, kFinalIterations, kFinalTolerance), work);
+                  fit_options(deadline, kFinalIterations, kFinalTolerance), work);
   }
 };
 
@@ -181,7 +170,7 @@ DwellFit fit_dwell(const DwellSpace& space, const DwellDesign& start, bool is_fi
   constexpr int kIterations = 60, kRounds = 4;
   const synthesis::WorkCounter unread;
   return fitted(space, start, is_final ? kFinalNodes : kSearchNodes, kRounds,
-                dwell_options(deadline, kIterations, kFinalTolerance), unread);
+                fit_options(deadline, kIterations, kFinalTolerance), unread);
 }
 
 DwellSearchResult search_dwells(const std::vector<DwellSpace>& spaces, const Solve& options,
