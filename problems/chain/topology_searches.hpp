@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <list>
+#include <span>
 
 #include "problems/linkage/result.hpp"
+#include "synthesis/optimise/solver.hpp"
 #include "synthesis/search/multi_start.hpp"
 
 namespace cognate::problems {
