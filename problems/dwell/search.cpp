@@ -19,7 +19,7 @@ namespace {
 constexpr int kSearchNodes = 17, kFinalNodes = 65;
 constexpr int kSearchIterations = 60, kFinalIterations = 300;
 constexpr int kSearchExchanges = 3, kFinalExchanges = 8;
-constexpr double kSearchTolerance = 1e-4, kFinalTolerance = 1e-9;
+constexpr double kFinalTolerance = 1e-9;
 constexpr int kFewestStarts = 48 * kHoppingRound;
 constexpr int kOutputSamples = 180, kExtremeSteps = 24;
 
@@ -100,10 +100,35 @@ double missing_distance(const DwellSpace& space, const Fitted& here) {
   return std::max(0.0, *space.apart - distance);
 }
 
+/// How a fit is made. From starts far from the limits more designs are found by SLSQP, which ends
+/// far from the minimum in a narrow valley; the last fits are by Gauss-Newton.
+struct Fitting {
+  bool is_final;
+  int exchanges;
+  synthesis::Options options;
+
+  int nodes() const { return is_final ? kFinalNodes : kSearchNodes; }
+  synthesis::Solution minimum(const DwellModel& model, const synthesis::WorkCounter& work) const {
+    const auto start = model.start();
+    if (is_final) return minimum_within(model, start, options, kDwellFeasibility, work);
+    const auto found = synthesis::solve(synthesis::Solver::slsqp, model, start, options);
+    work.count(found);
+    return found;
+  }
+};
+
+Fitting search_fitting(const synthesis::Deadline& deadline, int exchanges) {
+  return {false, exchanges, fit_options(deadline, kSearchIterations)};
+}
+
+Fitting final_fitting(const synthesis::Deadline& deadline, int exchanges, int iterations) {
+  return {true, exchanges, fit_options(deadline, iterations, kFinalTolerance)};
+}
+
 /// Minimax fits from `start`, constraints asked anew where they are extreme, until none is violated
 /// between.
-Fitted fitted(const DwellSpace& space, const DwellDesign& start, int nodes, int exchanges,
-              const synthesis::Options& options, const synthesis::WorkCounter& work) {
+Fitted fitted(const DwellSpace& space, const DwellDesign& start, const Fitting& how,
+              const synthesis::WorkCounter& work) {
   Fitted here;
   here.design = start;
   double violation = 0;
@@ -111,12 +136,11 @@ Fitted fitted(const DwellSpace& space, const DwellDesign& start, int nodes, int 
   std::vector<TransmissionCheck> watched = checks.transmission;
   double apart = space.apart.value_or(0);
   double unit = 0.01;
-  for (int exchange = 0; exchange < exchanges; ++exchange) {
+  for (int exchange = 0; exchange < how.exchanges; ++exchange) {
     checks.transmission = watched;
     checks.apart = apart;
-    const DwellModel model(space, here.design, checks, nodes, unit);
-    const synthesis::Solution solution =
-        minimum_within(model, model.start(), options, kDwellFeasibility, work);
+    const DwellModel model(space, here.design, checks, how.nodes(), unit);
+    const synthesis::Solution solution = how.minimum(model, work);
     if (solution.stop == synthesis::Stop::no_value || !std::isfinite(solution.objective)) break;
     here.design = model.design(solution.x);
     here.half_band = solution.objective * unit;
@@ -152,14 +176,12 @@ struct DwellMethod {
   static Fitted search_fit(const Space& space, const Design& start,
                            const synthesis::Deadline& deadline,
                            const synthesis::WorkCounter& work) {
-    const auto options = fit_options(deadline, kSearchIterations, kSearchTolerance);
-    return fitted(space, start, kSearchNodes, kSearchExchanges, options, work);
+    return fitted(space, start, search_fitting(deadline, kSearchExchanges), work);
   }
 
   static Fitted final_fit(const Space& space, const Design& start,
                           const synthesis::Deadline& deadline, const synthesis::WorkCounter& work) {
-    return fitted(space, start, kFinalNodes, kFinalExchanges,
-                  fit_options(deadline, kFinalIterations, kFinalTolerance), work);
+    return fitted(space, start, final_fitting(deadline, kFinalExchanges, kFinalIterations), work);
   }
 };
 
@@ -169,8 +191,10 @@ DwellFit fit_dwell(const DwellSpace& space, const DwellDesign& start, bool is_fi
                    const Deadline& deadline) {
   constexpr int kIterations = 60, kRounds = 4;
   const synthesis::WorkCounter unread;
-  return fitted(space, start, is_final ? kFinalNodes : kSearchNodes, kRounds,
-                fit_options(deadline, kIterations, kFinalTolerance), unread);
+  return fitted(
+      space, start,
+      is_final ? final_fitting(deadline, kRounds, kIterations) : search_fitting(deadline, kRounds),
+      unread);
 }
 
 DwellSearchResult search_dwells(const std::vector<DwellSpace>& spaces, const Solve& options,

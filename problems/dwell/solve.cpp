@@ -28,6 +28,7 @@ namespace {
 /// Those that meet every limit, the best first; the others only where there are no such.
 std::vector<Design> designs_of_dwells(const DwellProblem& problem,
                                       const std::vector<DwellMinimum>& found) {
+  using synthesis::Solver;
   std::vector<Design> designs;
   for (const DwellMinimum& one : found) {
     if (!std::isfinite(one.half_band)) continue;
@@ -35,7 +36,7 @@ std::vector<Design> designs_of_dwells(const DwellProblem& problem,
     auto mechanism = named(*space.topology, space.scale.out_of(space.chain, one.design.chain));
     Design design = verified(problem, *space.topology, std::move(mechanism), one.design.start);
     if (!std::isfinite(design.error.sum_of_squares)) continue;
-    design.origin = search_origin(synthesis::Solver::gauss_newton);
+    design.origin = search_origin({Solver::slsqp, Solver::gauss_newton});
     designs.push_back(std::move(design));
   }
   std::ranges::stable_sort(designs, {}, [](const Design& design) { return design.error.max; });
