@@ -26,7 +26,7 @@ class TracedPoint {
     const synthesis::ChainView<double> view{problem_.lines.data(),
                                             static_cast<int>(problem_.lines.size()),
                                             design_.parameters.data(), side_.data()};
-    synthesis::place(view, unit_vector(crank), place_);
+    synthesis::place_next(view, unit_vector(crank), place_);
     return place_.at[problem_.topology->trace];
   }
 

@@ -27,11 +27,7 @@ double CosineScan::cosine(int joint, double crank) {
   const synthesis::ChainView<double> view{space_.lines.data(),
                                           static_cast<int>(space_.lines.size()),
                                           design_.parameters.data(), side_.data()};
-  using synthesis::Kept;
-  const Vec2d direction = unit_vector(crank);
-  knows_guides_ ? synthesis::place<Kept::guides>(view, direction, place_)
-                : synthesis::place(view, direction, place_);
-  knows_guides_ = true;
+  synthesis::place_next(view, unit_vector(crank), place_);
   const double value = std::abs(synthesis::transmission_cosine(view, place_, joint));
   return std::isfinite(value) ? value : 2;
 }

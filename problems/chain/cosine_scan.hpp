@@ -33,7 +33,6 @@ class CosineScan {
   const synthesis::ChainDesign& design_;
   std::vector<double> side_;
   synthesis::ChainPlace<double> place_;
-  bool knows_guides_ = false;
 };
 
 }  // namespace cognate::problems

@@ -32,10 +32,7 @@ class FreeChain {
   const Vec2d* at(double crank) { return at(unit_vector(crank)); }
   /// The same with the crank in this direction.
   const Vec2d* at(const Vec2d& direction) {
-    using synthesis::Kept;
-    knows_guides_ ? synthesis::place<Kept::guides>(view_, direction, place_)
-                  : synthesis::place(view_, direction, place_);
-    knows_guides_ = true;
+    synthesis::place_next(view_, direction, place_);
     return place_.at;
   }
 
@@ -82,7 +79,7 @@ class FreeChain {
     clear();
     synthesis::seed_transmission(view_, place_, check.joint, cosine, 1.0, seed_.data(),
                                  gradient_.data());
-    return swept(check.joint - 1, row);
+    return swept(synthesis::last_seeded(view_, check.joint), row);
   }
 
  private:
@@ -106,7 +103,6 @@ class FreeChain {
   const ChainSpace& space_;
   synthesis::ChainView<double> view_;
   synthesis::ChainPlace<double> place_;
-  bool knows_guides_ = false;
   std::array<Vec2d, synthesis::kMostLines> seed_{};
   std::array<double, synthesis::kMostChainParameters> gradient_{};
 };

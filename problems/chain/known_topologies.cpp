@@ -73,6 +73,28 @@ constexpr PointRow kRockerSlider[] = {{"E", LineType::attached, "D", "C"},
                                       {"F-slide", LineType::guide, "A", ""},
                                       {"F", LineType::slider, "E", "F-slide"}};
 
+constexpr PointRow kThreePinsOnFrame[] = {{"A", LineType::pivot, "", ""},
+                                          {"D", LineType::pivot, "", ""},
+                                          {"G", LineType::pivot, "", ""},
+                                          {"B", LineType::crank, "A", ""},
+                                          {"GF-link", LineType::third_link, "G", ""},
+                                          {"C-drawn", LineType::drawn, "", ""},
+                                          {"E-drawn", LineType::drawn, "", ""},
+                                          {"C", LineType::first_pin, "B", ""},
+                                          {"E", LineType::second_pin, "D", "C"},
+                                          {"F", LineType::third_pin, "C", "E"}};
+constexpr PointRow kThreePinsOnCrank[] = {{"A", LineType::pivot, "", ""},
+                                          {"G", LineType::pivot, "", ""},
+                                          {"B", LineType::crank, "A", ""},
+                                          {"H", LineType::attached, "A", "B"},
+                                          {"GF-link", LineType::third_link, "G", ""},
+                                          {"C-drawn", LineType::drawn, "", ""},
+                                          {"E-drawn", LineType::drawn, "", ""},
+                                          {"C", LineType::first_pin, "B", ""},
+                                          {"E", LineType::second_pin, "H", "C"},
+                                          {"F", LineType::third_pin, "C", "E"}};
+constexpr PointRow kOnCE[] = {{"P", LineType::attached, "C", "E"}};
+
 struct TopologyRow {
   std::string_view name;
   std::array<Rows, 4> parts;  ///< one after the other; the last point is the traced one
@@ -88,7 +110,9 @@ constexpr TopologyRow kTopologies[] = {
     {"eight-bar-2", {kFourBar, kWatt, kToFrame, kOnKJ}},
     {"eight-bar-3", {kFourBar, kStephenson, kToSecondLink, kOnKJ}},
     {"eight-bar-4", {kFourBar, kWatt, kToRockerLink, kOnKJ}},
-    {"eight-bar-5", {kFourBar, kStephenson, kToCoupler, kOnKJ}}};
+    {"eight-bar-5", {kFourBar, kStephenson, kToCoupler, kOnKJ}},
+    {"three-pin-1", {kThreePinsOnFrame, kOnBC}},
+    {"three-pin-2", {kThreePinsOnCrank, kOnCE}}};
 
 constexpr TopologyRow kFunctionTopologies[] = {{"stephenson-3", {kFourBar, kStephenson}},
                                                {"watt-2", {kFourBar, kSecondFourBar}},
@@ -110,6 +134,13 @@ constexpr TopologyWord kWords[] = {
     {"eight-bar-4", "Watt I, and a dyad between its links EF and HF"},
     {"eight-bar-5", "Stephenson III, and a dyad between its link EF and the coupler"},
     {"eight-bar", "whichever of these five comes nearest"},
+    {"three-pin-1",
+     "link with three pins on two rockers and a link from the crank, the point on the latter "
+     "(Stephenson III, driven in its five-bar loop)"},
+    {"three-pin-2",
+     "link with three pins on a rocker and two links from the crank, the point on it "
+     "(Stephenson I, driven in its five-bar loop)"},
+    {"three-pin", "whichever of these two comes nearest"},
     {"any", "whichever comes nearest of the four-bar, all six-bars and all eight-bars"}};
 
 constexpr TopologyWord kFunctionWords[] = {
@@ -126,7 +157,9 @@ constexpr TopologyWord kLegWords[] = {
     {"jansen", "Jansen's leg, an eight-bar with two dyads on the crank's pin"}};
 
 bool stands_for(std::string_view word, std::string_view topology) {
-  if (word == "any") return topology != kSliderCrankWord;
+  const bool has_three_pins = topology.starts_with("three-pin");
+  if (word == "any") return topology != kSliderCrankWord && !has_three_pins;
+  if (word == "three-pin") return has_three_pins;
   const bool is_six_bar = topology.starts_with("watt") || topology.starts_with("stephenson");
   if (word == "six-bar") return is_six_bar && !topology.ends_with("-slider");
   if (word == "six-bar-slider") return topology.ends_with("-slider");
@@ -186,7 +219,8 @@ bool ends_in_slider(const Topology& topology) {
 
 std::vector<Topology> leg_topologies(std::string_view word) {
   auto own = topologies_of(word, kLegWords, kLegTopologies);
-  return own.empty() ? topologies(word) : own;
+  if (own.empty()) own = topologies(word);
+  return own.empty() || has_three_pin_link(own.front()) ? std::vector<Topology>{} : own;
 }
 
 std::span<const TopologyWord> leg_topology_words() {

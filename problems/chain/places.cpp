@@ -1,11 +1,31 @@
 #include "problems/chain/places.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace cognate::problems {
 
 using synthesis::ChainLine;
 using synthesis::LineType;
+
+/// A link with three pins, by its last line and the points that hold it; of its parameters those
+/// that are no places.
+struct ChainPlaces::ThreePins {
+  int last;
+  std::array<int, 3> from;
+  std::array<double, 3> lengths;
+  double distance;
+  Vec2d third;
+};
+
+void ChainPlaces::add_three_pins(const ThreePins& link) {
+  const int first = link.last - 2;
+  for (int pin = 0; pin < 3; ++pin) {
+    const auto i = static_cast<std::size_t>(pin);
+    bodies_.push_back({{link.from[i], {}}, {first + pin, {link.lengths[i], 0}}});
+  }
+  bodies_.push_back({{first, {}}, {first + 1, {link.distance, 0}}, {link.last, link.third}});
+}
 
 ChainPlaces::ChainPlaces(std::span<const ChainLine> lines, std::span<const double> parameters)
     : bodies_(2) {
@@ -27,7 +47,23 @@ ChainPlaces::ChainPlaces(std::span<const ChainLine> lines, std::span<const doubl
         bodies_.push_back({{second, {}}, {i, {parameter(1), 0}}});
         break;
       case LineType::guide:
+      case LineType::third_link:
+      case LineType::drawn:
+      case LineType::first_pin:
+      case LineType::second_pin:
         break;
+      case LineType::third_pin: {
+        const auto from = [&](int line) { return lines[static_cast<std::size_t>(i + line)].first; };
+        const auto before = [&](std::size_t count) {
+          return parameters.empty() ? 0.0 : parameters[next - count];
+        };
+        add_three_pins({i,
+                        {from(-2), from(-1), from(-synthesis::kThirdPin)},
+                        {before(3), before(2), before(8)},
+                        before(1),
+                        {parameter(0), parameter(1)}});
+        break;
+      }
       case LineType::slider:
         bodies_.push_back({{first, {}}, {i, {parameter(0), 0}}});
         bodies_.push_back({{i, {}}});

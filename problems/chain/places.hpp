@@ -12,7 +12,8 @@
 namespace cognate::problems {
 
 /// The bodies of a chain, numbered and with the axes of `analysis/mechanism/mechanism.hpp`: the
-/// frame, the crank, two for each dyad.
+/// frame, the crank, two for each dyad, four for each link with three pins: those that hold it by
+/// its first, second and third pin, and the link itself.
 class ChainPlaces {
  public:
   /// `parameters`: line by line; without them which body a point is on is known, but not where.
@@ -34,10 +35,15 @@ class ChainPlaces {
   /// The inverse of `in_body`.
   Vec2d in_axes(int first, int second, const Vec2d& place) const;
 
- private:
+  /// Where the point is in the axes of a body; empty where it is not on it.
   std::optional<Vec2d> find(int body, int line) const;
+
+ private:
   /// Origin and unit vector of the axes from `first` towards `second`.
   std::pair<Vec2d, Vec2d> axes(int first, int second) const;
+
+  struct ThreePins;
+  void add_three_pins(const ThreePins& link);
 
   std::vector<std::vector<std::pair<int, Vec2d>>> bodies_;  // of each body its points
 };

@@ -65,6 +65,35 @@ std::string_view robust_refusal(const ChainPathProblem& problem) {
   return {};
 }
 
+/// What is for chains of dyads alone.
+void read_with_dyads(TableReader& document, LinkageTables& tables, ChainPathProblem& problem) {
+  problem.raster = read_chain_raster(document, problem);
+  check_chain_raster(document, problem);
+  problem.tolerances = read_chain_tolerances(document, problem.topologies, "length");
+  read_robust(tables.solve, robust_refusal(problem), problem.solve);
+  read_against(tables.solve, problem);
+  problem.layers =
+      read_design_layers(document, tables.constraints, links_of(problem.topologies),
+                         problem.against ? kNoLayersOfFronts : layers_max_refusal(problem.solve));
+}
+
+void read_with_three_pins(TableReader& document, LinkageTables& tables, ChainPathProblem& problem) {
+  read_against(tables.solve, problem);
+  const auto refuse = [](TableReader& table, std::string_view key, std::string_view why) {
+    if (!table.contains(key)) return;
+    table.know({key});
+    table.fault(key, why);
+  };
+  constexpr std::string_view kWhy =
+      "is for chains of dyads alone, not for links with three pins; remove it";
+  for (const std::string_view key : {"layers", "raster", "tolerance"}) refuse(document, key, kWhy);
+  refuse(tables.solve, "robust", kWhy);
+  refuse(tables.constraints, "layers_max", kWhy);
+  if (problem.constraints.over == LimitSpan::turn) return;
+  refuse(tables.constraints, "over",
+         "is \"range\", but the crank of a mechanism with a three-pin link turns fully; remove it");
+}
+
 /// Without a raster the chain itself may be moved; on one its size counts, which bounds say.
 void check_movable(TableReader& target, const ChainPathProblem& problem) {
   constexpr std::string_view kPlace = "place";
@@ -120,15 +149,11 @@ ChainPathProblem KindTraits<ChainPathProblem>::read(reading::TableReader& docume
                                        read_traced(tables.target, problem.mechanism, "P"));
   read_chain_constraints(tables.constraints, problem.constraints);
   read_chain_solve(tables.solve, problem.solve);
-  problem.raster = read_chain_raster(document, problem);
-  check_chain_raster(document, problem);
   check_movable(tables.target, problem);
-  problem.tolerances = read_chain_tolerances(document, problem.topologies, "length");
-  read_robust(tables.solve, robust_refusal(problem), problem.solve);
   read_against(tables.solve, problem);
-  problem.layers =
-      read_design_layers(document, tables.constraints, links_of(problem.topologies),
-                         problem.against ? kNoLayersOfFronts : layers_max_refusal(problem.solve));
+  std::ranges::any_of(problem.topologies, has_three_pin_link)
+      ? read_with_three_pins(document, tables, problem)
+      : read_with_dyads(document, tables, problem);
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
     table->finish();

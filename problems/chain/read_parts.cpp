@@ -53,7 +53,7 @@ void read_dimensions(TableReader& table, TopologyLine& line) {
     case LineType::slider:
       if (!is_free(table, "length")) line.given[0] = table.number("length", kLinkLength);
       return read_assembly(table, line);
-    case LineType::guide:
+    default:
       return;
   }
 }
@@ -199,7 +199,7 @@ std::array<Range, 2> sides(const Box& box) {
   return {Range{box.min.x, box.max.x}, Range{box.min.y, box.max.y}};
 }
 
-/// Of a dyad: a range for each of its lengths.
+/// Of a dyad, or a second pin: a range for each of its lengths.
 std::optional<std::array<Range, 2>> read_two_ranges(TableReader& bounds, std::string_view key) {
   const auto rows =
       bounds.twos(key, kLengthLimit, "[[min1, max1], [min2, max2]]", {2, 2, "ranges"});
@@ -233,7 +233,7 @@ std::optional<std::array<Range, 2>> read_bound(TableReader& bounds, const std::s
     const auto box = bounds.box(key);
     return box ? std::optional(sides(*box)) : std::nullopt;
   }
-  return type == LineType::dyad ? read_two_ranges(bounds, key) : read_length_bound(bounds, key);
+  return parameter_count(type) == 2 ? read_two_ranges(bounds, key) : read_length_bound(bounds, key);
 }
 
 template <class Accepts>
@@ -318,7 +318,8 @@ void read_chain_bounds(TableReader& bounds, std::vector<Topology>& topologies) {
   narrow_all(topologies, of(LineType::pivot), box("pivots"));
   narrow_all(topologies, of(LineType::attached), box("point"));
   for (const LineType type : {LineType::pivot, LineType::crank, LineType::dyad, LineType::attached,
-                              LineType::guide, LineType::slider}) {
+                              LineType::guide, LineType::slider, LineType::third_link,
+                              LineType::first_pin, LineType::second_pin, LineType::third_pin}) {
     for (const std::string_view known : names_of(topologies, type)) {
       const std::string name(known);
       if (!bounds.has(name)) continue;

@@ -9,6 +9,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/chain/cosine_scan.hpp"
 #include "problems/chain/model.hpp"
+#include "synthesis/chain/drawn.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -70,6 +71,7 @@ RefinedChain refine(const ScaledChain& problem, const synthesis::ChainDesign& de
     if (!std::isfinite(solution.objective) || solution.stop == synthesis::Stop::no_value) break;
     RefinedChain next = here;
     next.design = model.design(solution.x);
+    synthesis::draw_anew(problem.lines, {1, 0}, next.design);
     next.angles = model.angles(solution.x);
     next.at = model.target_place(solution.x);
     next.objective = solution.objective;

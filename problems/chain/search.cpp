@@ -246,8 +246,8 @@ class ChainExplorer {
     const bool one_line = uniform(random, 0, 1) < 0.5;
     const auto line = static_cast<std::size_t>(uniform(random, 0, double(problem_.lines.size())));
     for (std::size_t k = 0; k < problem_.lines.size(); ++k) {
-      if (one_line && k != line) continue;
       const auto& [own, parameter] = problem_.lines[k];
+      if ((one_line && k != line) || !has_dimensions(own.type)) continue;
       for (int i = 0; i < synthesis::parameter_count(own.type); ++i) {
         const int place = parameter + i;
         const auto at = static_cast<std::size_t>(place);

@@ -95,7 +95,7 @@ ChainSpace::ChainSpace(const Topology& of, const TargetScale& scale, const Range
       const ParameterScale own = scale_of(scale, role);
       const auto& value = line.given[static_cast<std::size_t>(i)];
       const Range bound = line.bounds[static_cast<std::size_t>(i)];
-      if (!value) free.push_back(static_cast<int>(given.size()));
+      if (!value && has_dimensions(line.line.type)) free.push_back(static_cast<int>(given.size()));
       given.push_back(value ? std::optional(own.into(*value)) : std::nullopt);
       const Range open = open_range(role, kLeastSize, kMostSizes);
       lower.push_back(std::isfinite(bound.min) ? own.into(bound.min) : open.min);

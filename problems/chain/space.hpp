@@ -1,6 +1,7 @@
 /// @file Which dimensions of a chain are sought, and within what.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
@@ -49,7 +50,9 @@ struct ChainSpace {
   static constexpr double kLeastLink = 1e-4;
 
   /// Whether a dimension is given, so that drawn designs cannot be enlarged and moved.
-  bool is_anchored() const { return free.size() < given.size(); }
+  bool is_anchored() const {
+    return std::ranges::any_of(given, [](const auto& value) { return value.has_value(); });
+  }
 };
 
 /// The design whose free parameters are the nearest within their bounds.

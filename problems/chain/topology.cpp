@@ -7,6 +7,8 @@
 
 #include "analysis/numbers/angle.hpp"
 #include "problems/chain/places.hpp"
+#include "problems/chain/three_pin_group.hpp"
+#include "synthesis/chain/sweep.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -14,11 +16,27 @@ namespace {
 using synthesis::ChainLine;
 using synthesis::LineType;
 
+/// The points of a chain with the crank at angle 0.
+std::vector<Vec2d> points_at_start(const Topology& topology, const synthesis::ChainDesign& design) {
+  const auto lines = placed_lines(chain_of(topology));
+  const std::vector<double> side(design.side.begin(), design.side.end());
+  const synthesis::ChainView<double> view{lines.data(), static_cast<int>(lines.size()),
+                                          design.parameters.data(), side.data()};
+  synthesis::ChainPlace<double> place;
+  synthesis::place_lines<synthesis::Kept::nothing>(view, Vec2d{1, 0}, place);
+  return {place.at, place.at + lines.size()};
+}
+
+/// Whether a line's point is one of the mechanism.
+bool is_point(LineType type) {
+  return type != LineType::guide && type != LineType::third_link && type != LineType::drawn;
+}
+
 /// Adds the parts of a mechanism line by line.
 class Naming {
  public:
   Naming(const Topology& topology, const synthesis::ChainDesign& design)
-      : topology_(topology), places_(chain_of(topology).lines, design.parameters) {
+      : topology_(topology), design_(design), places_(chain_of(topology).lines, design.parameters) {
     mechanism_.bodies.resize(static_cast<std::size_t>(places_.body_count()));
     mechanism_.bodies[0] = "frame";
     const double* next = design.parameters.data();
@@ -44,7 +62,7 @@ class Naming {
 
   void add(int index, const double* parameters, int side) {
     const ChainLine& line = topology_.lines[static_cast<std::size_t>(index)].line;
-    if (line.type != LineType::guide) mechanism_.points.push_back({name(index), place(index)});
+    if (is_point(line.type)) mechanism_.points.push_back({name(index), place(index)});
     switch (line.type) {
       case LineType::pivot:
         return chain_.pivots.push_back({name(index), {parameters[0], parameters[1]}});
@@ -59,6 +77,13 @@ class Naming {
         return guides_.push_back({index, {parameters[0], parameters[1]}});
       case LineType::slider:
         return add_slider(index, line, parameters[0], side);
+      case LineType::third_pin:
+        return add_three_pin_link(index);
+      case LineType::third_link:
+      case LineType::drawn:
+      case LineType::first_pin:
+      case LineType::second_pin:
+        return;  // with the third pin
     }
   }
 
@@ -102,12 +127,23 @@ class Naming {
     chain_.dyads.push_back(std::move(dyad));
   }
 
+  void add_three_pin_link(int last) {
+    auto [group, description] = three_pin_group(
+        topology_, places_, last, points_at_start(topology_, design_), mechanism_.bodies);
+    auto& dyads = mechanism_.mechanism.dyads;
+    std::ranges::copy(description.names, mechanism_.bodies.begin() + 2 * (std::ssize(dyads) + 1));
+    dyads.push_back(std::move(group));
+    dyads.push_back(GroupRest{});
+    chain_.dyads.push_back({.type = DyadType::group, .names = {}, .group = std::move(description)});
+  }
+
   struct DrawnGuide {
     int line;
     Vec2d parameters;  ///< direction and offset
   };
 
   const Topology& topology_;
+  const synthesis::ChainDesign& design_;
   ChainPlaces places_;
   std::vector<DrawnGuide> guides_;
   NamedMechanism mechanism_;
@@ -117,6 +153,17 @@ class Naming {
 Vec2d named_place(const NamedMechanism& mechanism, const std::string& name) {
   const auto found = std::ranges::find(mechanism.points, name, &NamedPoint::name);
   return found == mechanism.points.end() ? Vec2d{} : found->at.at;
+}
+
+/// "CEF(B, D, G)".
+std::string sketch_of_three_pins(const Topology& topology, const TopologyLine& point) {
+  const auto name = [&](int line) { return topology.lines[static_cast<std::size_t>(line)].name; };
+  const int last = point.line.second + 1;
+  const auto from = [&](int line) {
+    return name(topology.lines[static_cast<std::size_t>(line)].line.first);
+  };
+  return fmt::format("{}({}, {}, {})", three_pin_names(topology, last).back(), from(last - 2),
+                     from(last - 1), from(last - synthesis::kThirdPin));
 }
 
 /// "C(B, D)", "E on BC".
@@ -136,6 +183,13 @@ std::string sketch_of(const Topology& topology, const TopologyLine& point) {
       return "";
     case LineType::slider:
       return fmt::format("slider {}({})", point.name, name(first));
+    case LineType::third_pin:
+      return sketch_of_three_pins(topology, point);
+    case LineType::third_link:
+    case LineType::drawn:
+    case LineType::first_pin:
+    case LineType::second_pin:
+      return "";
   }
   return "";
 }
@@ -184,9 +238,18 @@ std::vector<std::vector<std::string>> links_of(std::span<const Topology> topolog
       if (type == LineType::slider) {
         std::ranges::copy(slider_link_names(name(first), point.name), std::back_inserter(links));
       }
+      if (type == LineType::third_pin) {
+        std::ranges::copy(three_pin_names(topology, second + 1), std::back_inserter(links));
+      }
     }
   }
   return all;
+}
+
+bool has_three_pin_link(const Topology& topology) {
+  return std::ranges::any_of(topology.lines, [](const TopologyLine& line) {
+    return line.line.type == LineType::third_link;
+  });
 }
 
 int link_count(const Topology& topology) {
@@ -237,6 +300,13 @@ synthesis::ChainDesign dimensions(const Topology& topology, const NamedMechanism
     } else if (type == LineType::dyad) {
       const auto& dyad = std::get<Rrr<double>>(mechanism.mechanism.dyads[dyads++]);
       add({dyad.first_length, dyad.second_length}, dyad.assembly == Assembly::open ? 1 : -1);
+    } else if (type == LineType::third_link) {
+      const auto own = three_pin_parameters(std::get<Group>(mechanism.mechanism.dyads[dyads]));
+      dyads += 2;
+      design.parameters.insert(design.parameters.end(), own.begin(), own.end());
+      design.side.push_back(0);
+    } else if (type == LineType::drawn || is_three_pin(type)) {
+      design.side.push_back(0);  // with the first line of the link
     } else {
       const ChainPlaces places(std::span<const ChainLine>(lines).first(i), design.parameters);
       const Vec2d local = places.in_axes(first, second, at);

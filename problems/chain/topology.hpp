@@ -64,6 +64,9 @@ bool ends_in_slider(const Topology& topology);
 std::vector<Topology> leg_topologies(std::string_view word);
 std::span<const TopologyWord> leg_topology_words();
 
+/// Whether it has a link with three pins, which makes it a mechanism of class III.
+bool has_three_pin_link(const Topology& topology);
+
 /// A chain in a line: "crank AB; C(B, D); E on BC; F(E, G); P on EF".
 std::string sketch(const Topology& topology);
 

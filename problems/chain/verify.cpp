@@ -1,16 +1,19 @@
 #include "problems/chain/verify.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <optional>
 
+#include "analysis/mechanism/followed_motion.hpp"
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/mechanism/transmission_extremes.hpp"
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/degrees.hpp"
+#include "problems/chain/three_pin_transmission.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/placement.hpp"
 #include "problems/linkage/verify.hpp"
@@ -27,12 +30,10 @@ Attached<double> traced_point(const NamedMechanism& mechanism, const std::string
   return found->at;
 }
 
-TargetError target_error(const ChainPathProblem& problem, const Topology& topology,
-                         const NamedMechanism& mechanism, const std::vector<double>& angles,
+template <class Motion>
+TargetError target_error(const ChainPathProblem& problem, Motion& motion,
+                         const Attached<double>& point, const std::vector<double>& angles,
                          const CurvePlacement& placement) {
-  const auto point =
-      traced_point(mechanism, topology.lines[static_cast<std::size_t>(topology.trace)].name);
-  MechanismMotion<0> motion(mechanism.mechanism);
   TargetError error;
   for (std::size_t j = 0; j < angles.size(); ++j) {
     if (!motion.move_to(angles[j])) return {kNoError, kNoError, kNoError};
@@ -42,6 +43,20 @@ TargetError target_error(const ChainPathProblem& problem, const Topology& topolo
   }
   error.rms = std::sqrt(error.sum_of_squares / double(angles.size()));
   return error;
+}
+
+TargetError target_error(const ChainPathProblem& problem, const Topology& topology,
+                         const NamedMechanism& mechanism, std::vector<double> angles,
+                         const CurvePlacement& placement) {
+  const auto point =
+      traced_point(mechanism, topology.lines[static_cast<std::size_t>(topology.trace)].name);
+  if (!has_three_pin_link(topology)) {
+    MechanismMotion<0> motion(mechanism.mechanism);
+    return target_error(problem, motion, point, angles, placement);
+  }
+  FollowedMotion<0> motion(mechanism.mechanism, follow(mechanism.mechanism, 0, kTurn));
+  for (double& angle : angles) angle = in_one_turn(angle);
+  return target_error(problem, motion, point, angles, placement);
 }
 
 /// The part of the crank's turn over which limits hold.
@@ -63,13 +78,32 @@ bool in_order(const std::vector<double>& angles) {
   return (least >= -kSameAngle || greatest <= kSameAngle) && whole <= kTurn + kSameAngle;
 }
 
-void check_defects(const ChainPathProblem& problem, const AssemblyRanges& motion, bool ordered,
+void note_circuit(bool whole, Design& design) {
+  if (!whole) design.metrics.defects.push_back(Defect::circuit);
+  design.constraints.push_back(
+      {"no_circuit_defect", std::string(whole ? "none" : "circuit"), std::string("none"), whole});
+}
+
+void check_defects(const ChainPathProblem& problem, const Topology& topology,
+                   const NamedMechanism& mechanism, const AssemblyRanges& motion, bool ordered,
                    Design& design) {
-  check_circuit(motion, design);
+  const bool returns =
+      !has_three_pin_link(topology) || returns_after_turn(mechanism.mechanism, motion);
+  note_circuit(motion.runs.size() == 1 && motion.points.empty() && returns, design);
   if (!ordered) design.metrics.defects.push_back(Defect::order);
   if (problem.crank_angles.empty()) {
     design.constraints.push_back(
         {"no_order_defect", std::string(ordered ? "none" : "order"), std::string("none"), ordered});
+  }
+}
+
+/// The least of each of three pins, which is acute.
+void add_pin_transmission(const Topology& topology, int last, const std::array<double, 3>& least,
+                          Metrics& metrics) {
+  for (std::size_t pin = 0; pin < least.size(); ++pin) {
+    const auto line = static_cast<std::size_t>(last) - 2 + pin;
+    metrics.quantities.push_back(
+        {"transmission_" + topology.lines[line].name + "_min_deg", degrees(least[pin])});
   }
 }
 
@@ -86,6 +120,14 @@ void measure_transmission(const Topology& topology, const NamedMechanism& mechan
   const auto moving = synthesis::joints(chain_of(topology));
   int dyad = 0;
   for (std::size_t k = 0; k < topology.lines.size(); ++k) {
+    if (topology.lines[k].line.type == synthesis::LineType::third_pin) {
+      const auto least = least_pin_transmission(mechanism.mechanism, motion, dyad);
+      dyad += 2;
+      all_least = std::min(all_least, std::ranges::min(least));
+      all_greatest = std::max(all_greatest, kPi - std::ranges::min(least));
+      add_pin_transmission(topology, static_cast<int>(k), least, metrics);
+      continue;
+    }
     if (!is_dyad(topology.lines[k].line.type)) continue;
     const int own = dyad++;
     if (std::ranges::count(moving, static_cast<int>(k)) == 0) continue;
@@ -114,10 +156,7 @@ void check_transmission(const Range& limit, Design& design) {
 }
 
 void check_circuit(const AssemblyRanges& motion, Design& design) {
-  const bool whole = motion.runs.size() == 1 && motion.points.empty();
-  if (!whole) design.metrics.defects.push_back(Defect::circuit);
-  design.constraints.push_back(
-      {"no_circuit_defect", std::string(whole ? "none" : "circuit"), std::string("none"), whole});
+  note_circuit(motion.runs.size() == 1 && motion.points.empty(), design);
 }
 
 Design verified(const ChainPathProblem& problem, const Topology& topology, NamedMechanism mechanism,
@@ -134,7 +173,7 @@ Design verified(const ChainPathProblem& problem, const Topology& topology, Named
   measure_transmission(topology, mechanism, motion, design.metrics);
   check_transmission(problem.constraints.transmission_angle, design);
   const bool ordered = !problem.crank_angles.empty() || in_order(angles);
-  check_defects(problem, motion, ordered, design);
+  check_defects(problem, topology, mechanism, motion, ordered, design);
   check_error_limit(problem, design);
   for (const double angle : angles) design.crank_angles.push_back(in_one_turn(angle));
   design.mechanism = std::move(mechanism);

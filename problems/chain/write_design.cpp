@@ -174,7 +174,7 @@ TableWriter chain_bounds_writer(const std::vector<Topology>& topologies) {
       table.set(name, length_bound(first));
     } else if (line.type == LineType::guide) {
       table.set(name, second);
-    } else if (line.type == LineType::dyad) {
+    } else if (has_lengths(line.type)) {
       table.set(name, std::array{length_bound(first), length_bound(second)});
     } else {
       table.set(name, Box{{first.min, second.min}, {first.max, second.max}});

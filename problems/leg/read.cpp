@@ -16,7 +16,9 @@ namespace {
 std::vector<std::string_view> leg_types() {
   std::vector<std::string_view> words;
   for (const TopologyWord& topology : leg_topology_words()) words.push_back(topology.word);
-  for (const TopologyWord& topology : topology_words()) words.push_back(topology.word);
+  for (const TopologyWord& topology : topology_words()) {
+    if (!leg_topologies(topology.word).empty()) words.push_back(topology.word);
+  }
   words.push_back(kChainWord);
   return words;
 }

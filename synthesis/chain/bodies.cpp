@@ -17,10 +17,24 @@ Body* body_of(std::vector<Body>& all, int first, int second) {
 struct Assembled {
   std::vector<Body> bodies{{}};
   std::vector<int> joints;
+  int third_from = -1;  ///< the point from which the third pin of the next three-pin link is held
+
+  void add_pin(const ChainLine& line, int index) {
+    joints.push_back(index);
+    const bool is_third = line.type == LineType::third_pin;
+    bodies.push_back({is_third ? third_from : line.first, index});
+    if (is_third) bodies.push_back({line.first, line.second, index});
+  }
 
   void add(const ChainLine& line, int index) {
     if (line.type == LineType::pivot || line.type == LineType::guide) {
       bodies.front().push_back(index);
+    } else if (is_three_pin(line.type)) {
+      add_pin(line, index);
+    } else if (line.type == LineType::third_link) {
+      third_from = line.first;
+    } else if (line.type == LineType::drawn) {
+      return;
     } else if (line.type == LineType::crank) {
       bodies.push_back({line.first, index});
     } else if (Body* common = body_of(bodies, line.first, line.second)) {

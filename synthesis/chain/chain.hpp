@@ -19,10 +19,51 @@ namespace cognate::synthesis {
 ///                left of the direction (radians from the x axis)
 ///     slider     RRP: the pin of a slider on the guide `second`, joined     length
 ///                by a link to `first`
-enum class LineType { pivot, crank, dyad, attached, guide, slider };
+///
+/// A link with three pins (class III, see held_link.hpp) takes six lines, one after the other:
+///
+///     third_link   the link from the point `first`, which is its point,    length
+///                  to the third pin
+///     drawn        where the first pin stands with the crank at angle 0:   x, y
+///                  no dimension, but says which assembly is meant
+///     drawn        where the second pin stands there                       x, y
+///     first_pin    held by a link from `first`                             length
+///     second_pin   held by a link from `first`; `second` is the first pin  length, distance from
+///                                                                          the first pin
+///     third_pin    a point of the body on which `first` and `second` are,  u, v
+///                  the other two pins, as of an attached one
+enum class LineType {
+  pivot,
+  crank,
+  dyad,
+  attached,
+  guide,
+  slider,
+  third_link,
+  drawn,
+  first_pin,
+  second_pin,
+  third_pin
+};
+
+/// The places of a three-pin link's lines from the first of them on.
+inline constexpr int kDrawnLine = 1, kFirstPin = 3, kSecondPin = 4, kThirdPin = 5;
 
 constexpr int parameter_count(LineType type) {
-  return type == LineType::crank || type == LineType::slider ? 1 : 2;
+  switch (type) {
+    case LineType::crank:
+    case LineType::slider:
+    case LineType::third_link:
+    case LineType::first_pin:
+      return 1;
+    default:
+      return 2;
+  }
+}
+
+/// Whether the parameters of a line are dimensions of the chain.
+constexpr bool has_dimensions(LineType type) {
+  return type != LineType::drawn;
 }
 
 /// What a parameter is: it says how it changes when a chain is moved, turned and enlarged.
@@ -31,8 +72,10 @@ enum class ParameterRole { x, y, length, along, across, direction, offset };
 constexpr ParameterRole parameter_role(LineType type, int index) {
   switch (type) {
     case LineType::pivot:
+    case LineType::drawn:
       return index == 0 ? ParameterRole::x : ParameterRole::y;
     case LineType::attached:
+    case LineType::third_pin:
       return index == 0 ? ParameterRole::along : ParameterRole::across;
     case LineType::guide:
       return index == 0 ? ParameterRole::direction : ParameterRole::offset;
@@ -44,6 +87,11 @@ constexpr ParameterRole parameter_role(LineType type, int index) {
 /// Whether a line's parameters are lengths of links.
 constexpr bool has_lengths(LineType type) {
   return parameter_role(type, 0) == ParameterRole::length;
+}
+
+/// Whether a line places one of the pins of a three-pin link, each with a transmission angle.
+constexpr bool is_three_pin(LineType type) {
+  return type == LineType::first_pin || type == LineType::second_pin || type == LineType::third_pin;
 }
 
 /// Whether a line closes on points that move by themselves, so that it can be assembled in two ways
@@ -62,7 +110,7 @@ inline constexpr int kMostLines = 24;
 inline constexpr int kMostChainParameters = 2 * kMostLines;
 
 /// One crank; lines only name lines before them. A body that carries attached points is known by
-/// two of its points.
+/// two of its points. Chains with three-pin links turn fully.
 struct Chain {
   std::vector<ChainLine> lines;
 };

@@ -81,7 +81,7 @@ class ChainLanes {
       if (task_.checks == 0) add_transmission(chain, equations);
     }
     for (int i = 0; i < task_.checks; ++i) {
-      place<Kept::distances>(limited, check(i), place_);
+      place_at_check(i, limited);
       add_transmission(chain, equations);
     }
   }
@@ -119,7 +119,8 @@ class ChainLanes {
       if (task_.checks == 0) sum = sum + transmission_cost(chain);
     }
     for (int i = 0; i < task_.checks; ++i) {
-      place<Kept::distances>(limited, check(i), place_);
+      place_at_check(i, limited);
+      if (i == 0) note_drawn();
       sum = sum + transmission_cost(chain);
     }
     return sum;
@@ -180,6 +181,24 @@ class ChainLanes {
     j == 0 ? place(chain, crank, place_) : place<Kept::distances>(chain, crank, place_);
   }
 
+  /// The first check is at angle 0, where three-pin links are drawn.
+  void place_at_check(int i, const View& chain) {
+    const bool begins = i == 0 && has_three_pin_link(chain);
+    begins ? place_lines<Kept::guides>(chain, check(i), place_)
+           : place<Kept::distances>(chain, check(i), place_);
+  }
+
+  /// Three-pin links are drawn where they stand with the dimensions attempted.
+  void note_drawn() {
+    for (int k = 0; k < task_.lines; ++k) {
+      const auto& [line, parameter] = task_.line[k];
+      if (line.type != LineType::drawn) continue;
+      const Direction at = place_.at[k + kFirstPin - kDrawnLine];
+      next_[parameter] = at.x;
+      next_[parameter + 1] = at.y;
+    }
+  }
+
   void keep(const Mask& lanes, const double* from, double* to, int count) const {
     for (int i = 0; i < count; ++i) {
       store(choose(lanes, load(from + i * kLanes), load(to + i * kLanes)), to + i * kLanes);
@@ -233,11 +252,12 @@ class ChainLanes {
       const Real cosine = transmission_cosine(chain, place_, k), beyond = excess(cosine);
       if (!any(beyond > Real(0.0))) continue;
       for (int n = 0; n < task_.parameters; ++n) gradient_[n] = Real(0.0);
-      for (int n = 0; n <= k; ++n) seed_[n] = {Real(0.0), Real(0.0)};
+      const int last = last_seeded(chain, k);
+      for (int n = 0; n <= last || n <= k; ++n) seed_[n] = {Real(0.0), Real(0.0)};
       const Real sign = choose(cosine > Real(0.0), Real(1.0), Real(-1.0));
       const Real slope = choose(beyond > Real(0.0), sign * Real(task_.penalty), Real(0.0));
       seed_transmission(chain, place_, k, cosine, slope, seed_, gradient_);
-      sweep_back(chain, place_, k - 1, seed_, gradient_);
+      sweep_back(chain, place_, last, seed_, gradient_);
       Real row[kMostUnknowns];
       for (int n = 0; n < task_.unknowns; ++n) row[n] = gradient_[task_.unknown[n]];
       if (timed_) row[task_.unknowns] = Real(0.0);

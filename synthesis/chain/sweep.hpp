@@ -5,34 +5,17 @@
 /// The derivative is taken backwards, from the last line to the first: the two closure equations of
 /// a dyad, M dx = c, need one solution of the transposed system Mᵀλ = f for any number of
 /// parameters (implicit function theorem; Griewank & Walther 2008, "Evaluating Derivatives", §3.2).
-/// det M = u × v = a b sin μ: it is infinite at dead points, and only there.
+/// det M = u × v = a b sin μ: it is infinite at dead points, and only there. A three-pin link has
+/// three such equations.
 #pragma once
 
 #include <cmath>
 
 #include "analysis/numbers/vec2.hpp"
-#include "synthesis/chain/chain.hpp"
+#include "synthesis/chain/chain_place.hpp"
+#include "synthesis/chain/three_pin_lines.hpp"
 
 namespace cognate::synthesis {
-
-/// What of a chain is the same at all positions.
-template <class T>
-struct ChainView {
-  const PlacedLine* lines;
-  int count;  ///< of lines, at most kMostLines
-  const T* parameters;
-  const T* side;  ///< of each line, see ChainDesign
-};
-
-/// A chain at a position of its crank. Not a number from the first dyad on that does not close.
-template <class T>
-struct ChainPlace {
-  Vec2<T> crank;             ///< the direction of the crank
-  Vec2<T> at[kMostLines];    ///< the points
-  Vec2<T> axis[kMostLines];  ///< of attached points: the first axis of their body; of guides: their
-                             ///< direction
-  T inverse[kMostLines];     ///< of these: one over the distance of its two points
-};
 
 /// The joint of two links of lengths a and b from p and q, to the `side` of the way from p to q.
 template <class T>
@@ -58,13 +41,10 @@ Vec2<T> slider_pin(const Vec2<T>& from, const Vec2<T>& on, const Vec2<T>& guide,
   return from + away * across + (side * sqrt((length - away) * (length + away))) * guide;
 }
 
-/// What of a chain is taken from `out` where that is a place of it with the same dimensions:
-/// directions of guides, and with them distances within bodies.
-enum class Kept { nothing, guides, distances };
-
-/// Places all lines at the direction `crank` of the crank.
-template <Kept Keeps = Kept::nothing, class T>
-void place(const ChainView<T>& chain, const Vec2<T>& crank, ChainPlace<T>& out) {
+/// Places all lines at the direction `crank` of the crank; three-pin links, where they are not
+/// followed, as they are drawn, with the crank at angle 0.
+template <Kept Keeps, class T>
+void place_lines(const ChainView<T>& chain, const Vec2<T>& crank, ChainPlace<T>& out) {
   using std::cos;
   using std::sin;
   using std::sqrt;
@@ -83,7 +63,8 @@ void place(const ChainView<T>& chain, const Vec2<T>& crank, ChainPlace<T>& out) 
         out.at[k] =
             dyad_joint(out.at[line.first], out.at[line.second], own[0], own[1], chain.side[k]);
         break;
-      case LineType::attached: {
+      case LineType::attached:
+      case LineType::third_pin: {
         const Vec2<T> way = out.at[line.second] - out.at[line.first];
         if constexpr (Keeps != Kept::distances) out.inverse[k] = T(1) / sqrt(squared_norm(way));
         out.axis[k] = out.inverse[k] * way;
@@ -98,8 +79,65 @@ void place(const ChainView<T>& chain, const Vec2<T>& crank, ChainPlace<T>& out) 
         out.at[k] = slider_pin(out.at[line.first], out.at[line.second], out.axis[line.second],
                                own[0], chain.side[k]);
         break;
+      case LineType::third_link:
+        out.at[k] = out.at[line.first];
+        break;
+      case LineType::drawn:
+        out.at[k] = {own[0], own[1]};
+        break;
+      case LineType::first_pin:
+        place_pins<Keeps>(chain, k - kFirstPin, out);
+        break;
+      case LineType::second_pin:
+        break;  // with the first
     }
   }
+}
+
+/// The direction at half the angle from 0 to that of `direction`, 0 … 2π.
+template <class T>
+Vec2<T> halved(const Vec2<T>& direction) {
+  using std::sqrt;
+  constexpr double kAhead = 1e-12;  // half of 0 is 0
+  const Vec2<T> half{direction.y + T(kAhead), T(1) - direction.x};
+  return (T(1) / sqrt(squared_norm(half))) * half;
+}
+
+/// Turns the crank from angle 0 to `crank`, and three-pin links follow.
+template <Kept Keeps, class T>
+void place_followed(const ChainView<T>& chain, const Vec2<T>& crank, ChainPlace<T>& out) {
+  constexpr int kHalvings = 5, kSteps = 1 << kHalvings;
+  Vec2<T> step = crank;
+  for (int i = 0; i < kHalvings; ++i) step = halved(step);
+  Vec2<T> direction{T(1), T(0)};
+  place_lines<Keeps>(chain, direction, out);
+  for (int i = 1; i < kSteps; ++i) {
+    direction = direction * step;
+    place_lines<Kept::distances>(chain, direction, out);
+  }
+  place_lines<Kept::distances>(chain, crank, out);
+}
+
+/// Places all lines at the direction `crank` of the crank.
+template <Kept Keeps = Kept::nothing, class T>
+void place(const ChainView<T>& chain, const Vec2<T>& crank, ChainPlace<T>& out) {
+  if constexpr (Keeps == Kept::distances) {
+    place_lines<Keeps>(chain, crank, out);
+  } else {
+    has_three_pin_link(chain) ? place_followed<Keeps>(chain, crank, out)
+                              : place_lines<Keeps>(chain, crank, out);
+  }
+}
+
+/// The same after another position of a chain with the same dimensions, `out`, or after none: what
+/// of that helps is kept.
+inline void place_next(const ChainView<double>& chain, const Vec2d& crank,
+                       ChainPlace<double>& out) {
+  constexpr double kNearby = 0.97;  // cosine of the angle over which three-pin links are followed
+  if (squared_norm(out.crank) == 0) return place(chain, crank, out);
+  const bool follows = dot(crank, out.crank) > kNearby && has_three_pin_link(chain) &&
+                       std::isfinite(out.at[chain.count - 1].x);
+  follows ? place<Kept::distances>(chain, crank, out) : place<Kept::guides>(chain, crank, out);
 }
 
 /// How the points move when the crank turns at the rate `turn` and the parameters change at the
@@ -127,7 +165,8 @@ void move(const ChainView<T>& chain, const ChainPlace<T>& at, const T& turn, con
         velocity[k] = (T(1) / cross(u, v)) * (along_v * perp(u) - along_u * perp(v));
         break;
       }
-      case LineType::attached: {
+      case LineType::attached:
+      case LineType::third_pin: {
         const Vec2<T>& axis = at.axis[k];
         const T spin = at.inverse[k] * cross(axis, velocity[line.second] - velocity[line.first]);
         velocity[k] = velocity[line.first] + Vec2<T>{first, second} * axis +
@@ -147,6 +186,17 @@ void move(const ChainView<T>& chain, const ChainPlace<T>& at, const T& turn, con
         velocity[k] = (T(1) / cross(u, v)) * (along_v * perp(u) - along_u * perp(v));
         break;
       }
+      case LineType::third_link:
+        velocity[k] = velocity[line.first];
+        break;
+      case LineType::drawn:
+        velocity[k] = {T(0), T(0)};
+        break;
+      case LineType::first_pin:
+        move_pins(chain, at, k - kFirstPin, rates, velocity);
+        break;
+      case LineType::second_pin:
+        break;  // with the first
     }
   }
 }
@@ -183,7 +233,8 @@ T sweep_back(const ChainView<T>& chain, const ChainPlace<T>& at, int last, Vec2<
         slope[1] = slope[1] + second * own[1];
         break;
       }
-      case LineType::attached: {
+      case LineType::attached:
+      case LineType::third_pin: {
         const Vec2<T>& axis = at.axis[k];
         slope[0] = slope[0] + dot(f, axis);
         slope[1] = slope[1] + cross(axis, f);
@@ -210,6 +261,13 @@ T sweep_back(const ChainView<T>& chain, const ChainPlace<T>& at, int last, Vec2<
         turning = turning + second * dot(guide, at.at[k] - at.at[line.second]);
         break;
       }
+      case LineType::first_pin:
+        sweep_back_pins(chain, at, k - kFirstPin, seed, gradient);
+        break;
+      case LineType::third_link:
+      case LineType::drawn:
+      case LineType::second_pin:
+        break;  // with the first pin
     }
   }
   return turn;
@@ -222,11 +280,23 @@ T slider_distance(const ChainView<T>& chain, const ChainPlace<T>& at, int k) {
   return dot(perp(at.axis[line.second]), at.at[line.second] - at.at[line.first]);
 }
 
+/// The last line whose point `seed_transmission` of line `k` seeds.
+template <class T>
+int last_seeded(const ChainView<T>& chain, int k) {
+  const LineType type = chain.lines[k].line.type;
+  return is_three_pin(type) ? k - pin_of(type) + 2 : k - 1;
+}
+
 /// The cosine of the transmission angle of the dyad of line `k`: that between its two links, of a
-/// slider that between its link and the normal of its guide.
+/// slider that between its link and the normal of its guide; of a pin of a three-pin link that of
+/// the link that holds it.
 template <class T>
 T transmission_cosine(const ChainView<T>& chain, const ChainPlace<T>& at, int k) {
   const auto& [line, parameter] = chain.lines[k];
+  if (is_three_pin(line.type)) {
+    const int pin = pin_of(line.type), base = k - pin - kFirstPin;
+    return transmission_cosine(held_link(chain, base), held_closure(chain, at, base), pin);
+  }
   const T& a = chain.parameters[parameter];
   if (line.type == LineType::slider) return slider_distance(chain, at, k) / a;
   const T& b = chain.parameters[parameter + 1];
@@ -234,11 +304,16 @@ T transmission_cosine(const ChainView<T>& chain, const ChainPlace<T>& at, int k)
   return (a * a + b * b - square) / (T(2) * a * b);
 }
 
-/// Adds `weight` times the derivatives of that cosine to `seed` and `gradient`.
+/// Adds `weight` times the derivatives of that cosine to `seed`, up to that of the line
+/// `last_seeded`, and `gradient`.
 template <class T>
 void seed_transmission(const ChainView<T>& chain, const ChainPlace<T>& at, int k, const T& cosine,
                        const T& weight, Vec2<T>* seed, T* gradient) {
   const auto& [line, parameter] = chain.lines[k];
+  if (is_three_pin(line.type)) {
+    const int pin = pin_of(line.type);
+    return seed_pin(chain, at, k - pin - kFirstPin, pin, cosine, weight, seed, gradient);
+  }
   const T& a = chain.parameters[parameter];
   const Vec2<T> way = at.at[line.second] - at.at[line.first];
   if (line.type == LineType::slider) {

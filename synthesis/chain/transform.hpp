@@ -19,7 +19,7 @@ inline void transform(std::span<const PlacedLine> lines, const Vec2d& turn, cons
   const double angle = std::atan2(turn.y, turn.x);
   for (const auto& [line, parameter] : lines) {
     double* own = parameters.data() + parameter;
-    if (line.type == LineType::pivot) {
+    if (parameter_role(line.type, 0) == ParameterRole::x) {
       const Vec2d moved = shift + turn * Vec2d{own[0], own[1]};
       own[0] = moved.x;
       own[1] = moved.y;

@@ -33,7 +33,7 @@ std::vector<Vec2d> curve_of(const ScaledChain& problem, const synthesis::ChainDe
   synthesis::ChainPlace<double> place;
   std::vector<Vec2d> curve;
   for (const double crank : cranks) {
-    synthesis::place(view, unit_vector(crank), place);
+    synthesis::place_next(view, unit_vector(crank), place);
     curve.push_back(place.at[problem.topology->trace]);
   }
   return curve;

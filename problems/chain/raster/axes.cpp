@@ -24,9 +24,7 @@ std::string name_of(const Topology& topology, const TopologyLine& line, std::siz
       return line.name + (index == 0 ? ".u" : ".v");
     case LineType::crank:
       return "crank";
-    case LineType::dyad:
-    case LineType::guide:
-    case LineType::slider:
+    default:
       break;
   }
   return link_names(point(line.line.first), point(line.line.second), line.name)[index];

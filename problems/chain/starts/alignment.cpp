@@ -6,6 +6,7 @@
 
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "synthesis/chain/drawn.hpp"
 #include "synthesis/chain/transform.hpp"
 
 namespace cognate::problems {
@@ -201,6 +202,8 @@ Alignment AlignmentTarget::align_arcs(const DrawnCurve& curve) const {
 synthesis::ChainDesign aligned(const ScaledChain& problem, const DrawnChain& drawn,
                                const Alignment& alignment) {
   synthesis::ChainDesign design = drawn.design;
+  // What stands so with the crank at angle 0 is turned to where the crank is at this angle.
+  synthesis::draw_anew(problem.lines, unit_vector(-angle_of(alignment.turn)), design);
   synthesis::transform(problem.lines, alignment.turn, alignment.move, design.parameters);
   return design;
 }

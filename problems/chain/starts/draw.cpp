@@ -1,6 +1,7 @@
 #include "problems/chain/starts/draw.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -17,6 +18,9 @@ using synthesis::LineType;
 
 /// Of the points of a body so many are drawn close to its second joint: the best dwells are there.
 constexpr double kShareAtJoint = 0.2;
+
+/// |cos μ| of links that hold a three-pin link beyond which none is drawn.
+constexpr double kNearDead = 0.97;
 
 double log_uniform(std::mt19937_64& random, double low, double high) {
   return std::exp(uniform(random, std::log(low), std::log(high)));
@@ -93,6 +97,13 @@ class Drawing {
         return true;
       case LineType::slider:
         return draw_slider(k);
+      case LineType::third_pin:
+        return draw_three_pins(k - synthesis::kThirdPin);
+      case LineType::third_link:
+      case LineType::drawn:
+      case LineType::first_pin:
+      case LineType::second_pin:
+        return true;  // with the third pin
     }
     return false;
   }
@@ -123,6 +134,7 @@ class Drawing {
     const bool anchored = space_.is_anchored();
     if (!placed_[pivot]) put_pivot(pivot, anchored ? around({}, 3) : Vec2d{});
     const double length = put(k, 0, anchored ? log_uniform(random_, 0.1, 2) : 1);
+    crank_length_ = length;
     if (is_part_) least_radius_ = length;
     for (std::size_t i = 0; i < curves_[k].size(); ++i) {
       curves_[k][i] = curves_[pivot][i] + length * cranks_[i];
@@ -200,6 +212,83 @@ class Drawing {
     return true;
   }
 
+  /// A link somewhere about what holds it, where the crank is at angle 0; the lengths follow. It
+  /// must be led through the turn and back to where it began.
+  bool draw_three_pins(std::size_t base) {
+    constexpr double kNear = 0.5, kFar = 6;  // of the crank
+    const double size = std::max(least_radius_, crank_length_);
+    const auto pin = [&](const Vec2d& about) {
+      return about +
+             size * log_uniform(random_, kNear, kFar) * unit_vector(uniform(random_, 0, kTurn));
+    };
+    const auto holders = points_that_hold(base);
+    std::array<Vec2d, 3> pins;
+    pins[0] = pin(curves_[holders[0]].front());
+    pins[1] = pin(pins[0]);
+    pins[2] = pin(pins[0]);
+    for (std::size_t i = 0; i < pins.size(); ++i) {
+      if (!placed(holders[i])) put_pivot(holders[i], pin(pins[i]));
+    }
+    put_three_pins(base, holders, pins);
+    return lead_three_pins(base);
+  }
+
+  std::array<std::size_t, 3> points_that_hold(std::size_t base) const {
+    const auto from = [&](int line) {
+      return static_cast<std::size_t>(
+          space_.lines[base + static_cast<std::size_t>(line)].line.first);
+    };
+    return {from(synthesis::kFirstPin), from(synthesis::kSecondPin), from(0)};
+  }
+
+  void put_three_pins(std::size_t base, const std::array<std::size_t, 3>& holders,
+                      const std::array<Vec2d, 3>& pins) {
+    const auto length = [&](std::size_t i) { return norm(pins[i] - curves_[holders[i]].front()); };
+    const Vec2d way = pins[1] - pins[0];
+    const double distance = norm(way);
+    const Vec2d third = conj((1 / distance) * way) * (pins[2] - pins[0]);
+    put(base, 0, length(2));
+    for (std::size_t i = 0; i < 2; ++i) {
+      put(base + synthesis::kDrawnLine + i, 0, pins[i].x);
+      put(base + synthesis::kDrawnLine + i, 1, pins[i].y);
+    }
+    put(base + synthesis::kFirstPin, 0, length(0));
+    put(base + synthesis::kSecondPin, 0, length(1));
+    put(base + synthesis::kSecondPin, 1, distance);
+    put(base + synthesis::kThirdPin, 0, third.x);
+    put(base + synthesis::kThirdPin, 1, third.y);
+  }
+
+  bool lead_three_pins(std::size_t base) {
+    const std::vector<double> side(drawn_.design.side.begin(), drawn_.design.side.end());
+    const synthesis::ChainView<double> view{space_.lines.data(),
+                                            static_cast<int>(base) + synthesis::kThirdPin + 1,
+                                            drawn_.design.parameters.data(), side.data()};
+    synthesis::ChainPlace<double> place;
+    synthesis::place_lines<synthesis::Kept::nothing>(view, cranks_.front(), place);
+    const Vec2d* pins = place.at + base + synthesis::kFirstPin;
+    const Vec2d began = pins[0];
+    for (std::size_t i = 0; i < kDrawnPositions; ++i) {
+      if (i > 0) synthesis::place<synthesis::Kept::distances>(view, cranks_[i], place);
+      if (!is_finite(pins[0]) || is_near_dead(view, place, base)) return false;
+      for (std::size_t pin = 0; pin < 3; ++pin) {
+        curves_[base + synthesis::kFirstPin + pin][i] = pins[pin];
+      }
+    }
+    synthesis::place<synthesis::Kept::distances>(view, cranks_.front(), place);
+    return norm(pins[0] - began) < 1e-6 * crank_length_;
+  }
+
+  bool is_near_dead(const synthesis::ChainView<double>& view,
+                    const synthesis::ChainPlace<double>& place, std::size_t base) const {
+    const int first = static_cast<int>(base) + synthesis::kFirstPin;
+    for (int pin = 0; pin < 3; ++pin) {
+      const double cosine = synthesis::transmission_cosine(view, place, first + pin);
+      if (std::abs(cosine) > std::max(kNearDead, space_.cosine_limit)) return true;
+    }
+    return false;
+  }
+
   bool placed(std::size_t k) const {
     return space_.lines[k].line.type != LineType::pivot || placed_[k];
   }
@@ -249,6 +338,7 @@ class Drawing {
   bool is_part_;
   /// Of curves beside which pivots stand: those of a part of the turn may be as short as one likes.
   double least_radius_ = 0;
+  double crank_length_ = 1;
   std::mt19937_64& random_;
   DrawnChain drawn_;
   std::vector<DrawnCurve> curves_;

@@ -68,8 +68,18 @@ function linkRow(name, from, to, length) {
 
 const partRow = (label, part, key = "") => fact(label, partText(part, key), JSON.stringify(part));
 
+// The links of a group by the distances between their joints.
+function groupRows({ names, joint }) {
+  return names.flatMap((name) => {
+    const on = joint.filter(({ of }) => of.includes(name)).map(({ name: pin, of, at }) => ({ pin, at: at[of.indexOf(name)] }));
+    const pairs = on.flatMap((from, i) => on.slice(i + 1).map((to) => [from, to]));
+    return pairs.flatMap(([from, to]) => linkRow(name, from.pin, to.pin, Math.hypot(to.at[0] - from.at[0], to.at[1] - from.at[1])));
+  });
+}
+
 // The links of a dyad by their lengths, its slides, and in which of two ways it is put together.
 function dyadRows({ type, joins, lengths = [], assembly, new: made, names, ...slides }) {
+  if (type === "group") return groupRows({ names, ...slides });
   const ends = [[joins[0], made], [made, joins[1]]];
   const links = made ? lengths.flatMap((length, i) => linkRow(names[i], ...ends[i], length)) : [];
   const rest = { ...(made ? {} : { joins, ...(lengths.length ? { lengths } : {}) }), ...slides };

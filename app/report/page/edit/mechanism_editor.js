@@ -33,9 +33,11 @@ export class MechanismEditor {
   // `page` as of Editor; `found`: the design.
   constructor(page, found) { Object.assign(this, { page, found }); }
 
-  // Whether the designs of a problem can be edited: those of a raster are on it, and may move their target.
+  // Whether the designs of a problem can be edited: those of a raster are on it, and may move their target; groups are
+  // where they are drawn.
   static edits({ kind, raster }, { assembles, entry: { mechanism } }) {
-    return KINDS.includes(kind) && assembles && mechanism.type === "chain" && !raster && embedded(MECHANISM_KERNEL).trim() !== "";
+    const ofDyads = mechanism.type === "chain" && mechanism.dyad.every(({ type }) => type !== "group");
+    return KINDS.includes(kind) && assembles && ofDyads && !raster && embedded(MECHANISM_KERNEL).trim() !== "";
   }
 
   get open() { return this.panel !== undefined; }
