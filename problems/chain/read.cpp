@@ -145,8 +145,9 @@ ChainPathProblem KindTraits<ChainPathProblem>::read(reading::TableReader& docume
   LinkageTables tables(document);
   tables.mechanism.know({kType});
   read_chain_target(tables.target, folder, problem);
-  problem.topologies = read_topologies(document, tables, topologies(problem.mechanism),
-                                       read_traced(tables.target, problem.mechanism, "P"));
+  Wanted wanted = read_traced(tables.target, problem.mechanism, "P");
+  wanted.takes_three_pins = true;
+  problem.topologies = read_topologies(document, tables, topologies(problem.mechanism), wanted);
   read_chain_constraints(tables.constraints, problem.constraints);
   read_chain_solve(tables.solve, problem.solve);
   check_movable(tables.target, problem);

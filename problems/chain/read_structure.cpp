@@ -17,19 +17,28 @@ using synthesis::LineType;
 
 constexpr std::size_t kMostDyads = 10, kMostLines = 24;
 
-/// A dyad or a point on its way into the chain.
+/// A dyad, a three-pin link or a point on its way into the chain.
 struct Part {
   TableReader* table;
   LineType type;
-  std::string name;
-  std::vector<Mention> closes_on;    ///< of a slider one point
+  std::string name;                  ///< of a three-pin link that of its third pin
+  std::vector<Mention> closes_on;    ///< of a slider one point, of a three-pin link three
   std::optional<Mention> through{};  ///< of a slider: the pivot from which its guide counts
+  std::vector<std::string> pins{};   ///< of a three-pin link
 };
+
+bool is_three_pin_link(TableReader& table) {
+  constexpr std::string_view kType = "type";
+  return table.has_text(kType) && *table.text(kType) == kThreePinWord;
+}
 
 class StructureReader {
  public:
-  StructureReader(PartTables& parts, TableReader& mechanism)
-      : parts_(parts), mechanism_(mechanism), before_(mechanism.faults().size()) {
+  StructureReader(PartTables& parts, TableReader& mechanism, bool takes_three_pins)
+      : parts_(parts),
+        mechanism_(mechanism),
+        takes_three_pins_(takes_three_pins),
+        before_(mechanism.faults().size()) {
     topology_.name = kChainWord;
   }
 
@@ -59,8 +68,9 @@ class StructureReader {
     }
     std::size_t points = 0;
     for (const auto& [type, tables] : parts_.all()) points += tables->size();
-    // The guide of a slider counts as a point.
+    // The guide of a slider counts as a point, a three-pin link as six.
     points += static_cast<std::size_t>(std::ranges::count_if(parts_.dyads, is_slider));
+    points += 5 * static_cast<std::size_t>(std::ranges::count_if(parts_.dyads, is_three_pin_link));
     if (points <= kMostLines) return;
     mechanism_.faults().add(
         mechanism_.where(),
@@ -112,6 +122,7 @@ class StructureReader {
 
   void announce_part(TableReader& table, LineType type, std::string_view joins) {
     const bool closes = type == LineType::dyad;
+    if (closes && is_three_pin_link(table)) return announce_three_pins(table, joins);
     if (closes) {
       check_type(table);
       refuse_name(table, "names");
@@ -148,6 +159,52 @@ class StructureReader {
       TableReader slide = table.table("slide");
       part.through = read_mention(slide, "through");
     }
+    waiting_.push_back(std::move(part));
+  }
+
+  /// A name of the program's own, made of that of a point.
+  void take_name(TableReader& table, const std::string& point, const std::string& made) {
+    if (std::ranges::find(names_, made) != names_.end()) {
+      table.fault("new", fmt::format("has {}, but the name {} that goes with it is that of another "
+                                     "point; rename one",
+                                     in_quotes(point), in_quotes(made)));
+    }
+    names_.push_back(made);
+  }
+
+  void announce_three_pins(TableReader& table, std::string_view joins) {
+    if (!takes_three_pins_) {
+      table.fault("type",
+                  "is \"three-pin\", which paths alone are designed with; expected \"RRR\" or "
+                  "\"RRP\"");
+    }
+    for (const std::string_view key : {"names", "length", "lengths", "assembly", "slide"}) {
+      if (!table.contains(key)) continue;
+      table.know({key});
+      table.fault(key,
+                  "is given of a three-pin link, whose dimensions are found; remove it: [bounds] "
+                  "limits them");
+    }
+    for (const std::string_view key : {joins, std::string_view("new")}) {
+      if (!table.has(key)) table.fault(key, "is missing; expected the names of three points");
+    }
+    const auto mentions = read_mentions(table, joins, {3, 3, "names of points"});
+    const auto pins = read_mentions(table, "new", {3, 3, "names of points"});
+    if (!mentions || !pins) return;
+    Part part{&table, LineType::third_pin, pins->back().name, *mentions};
+    for (const Mention& pin : *pins) {
+      if (!check_name(table, pin.where, pin.called, pin.name)) return;
+      if (std::ranges::find(names_, pin.name) != names_.end()) {
+        fault(pin, fmt::format("has {}, the name of another point; expected names of their own",
+                               in_quotes(pin.name)));
+      }
+      names_.push_back(pin.name);
+      part.pins.push_back(pin.name);
+    }
+    for (const std::string& pin : {part.pins[0], part.pins[1]}) {
+      take_name(table, pin, drawn_name(pin));
+    }
+    take_name(table, part.name, third_link_name(part.closes_on[2].name, part.name));
     waiting_.push_back(std::move(part));
   }
 
@@ -227,8 +284,34 @@ class StructureReader {
     return std::max(pivot, 0);
   }
 
+  void place_three_pins(const Part& part) {
+    std::vector<int> from;
+    for (const Mention& mention : part.closes_on) {
+      from.push_back(find(mention.name));
+      if (from.back() < 0) return fault(mention, unknown_point(mention));
+      if (std::ranges::count(from, from.back()) > 1) {
+        return fault(mention,
+                     fmt::format("has {} twice; expected three points", in_quotes(mention.name)));
+      }
+    }
+    const auto body = common_body(from[0], from[1]);
+    if (body && body == common_body(from[1], from[2])) {
+      return fault(part.closes_on[2],
+                   "are three points of one body, between which the link cannot move; expected "
+                   "points of two bodies or three");
+    }
+    const auto line = [&] { return static_cast<int>(topology_.lines.size()); };
+    const auto& pins = part.pins;
+    add(third_link_name(part.closes_on[2].name, pins[2]), {LineType::third_link, from[2]});
+    for (std::size_t i = 0; i < 2; ++i) add(drawn_name(pins[i]), {LineType::drawn});
+    add(pins[0], {LineType::first_pin, from[0]});
+    add(pins[1], {LineType::second_pin, from[1], line() - 1});
+    add(pins[2], {LineType::third_pin, line() - 2, line() - 1});
+  }
+
   void place(const Part& part) {
     if (part.type == LineType::slider) return place_slider(part);
+    if (part.type == LineType::third_pin) return place_three_pins(part);
     const auto& [from, to] = std::pair(part.closes_on[0], part.closes_on[1]);
     for (const Mention& mention : {from, to}) {
       if (find(mention.name) < 0) return fault(mention, unknown_point(mention));
@@ -266,6 +349,7 @@ class StructureReader {
 
   PartTables& parts_;
   TableReader& mechanism_;
+  bool takes_three_pins_;
   std::size_t before_;
   Topology topology_;
   std::vector<std::string> names_;
@@ -276,22 +360,17 @@ class StructureReader {
 void check_link_names(const Topology& topology, TableReader& mechanism) {
   std::vector<std::string> taken{"frame", "crank"};
   for (const TopologyLine& line : topology.lines) taken.push_back(line.name);
-  const auto name = [&](int line) { return topology.lines[static_cast<std::size_t>(line)].name; };
-  for (const TopologyLine& line : topology.lines) {
-    const auto& [type, first, second] = line.line;
-    if (!is_dyad(type)) continue;
-    for (const auto& link : type == LineType::slider
-                                ? slider_link_names(name(first), line.name)
-                                : link_names(name(first), name(second), line.name)) {
-      if (std::ranges::find(taken, link) != taken.end()) {
-        mechanism.faults().add(
-            mechanism.where(),
-            fmt::format("the name {} of a link, made of two points, is taken by another part; "
-                        "rename a point",
-                        in_quotes(link)));
-      }
-      taken.push_back(link);
+  std::vector<std::string> links = links_of({&topology, 1}).front();
+  links.erase(links.begin());  // that of the crank
+  for (const std::string& link : links) {
+    if (std::ranges::find(taken, link) != taken.end()) {
+      mechanism.faults().add(
+          mechanism.where(),
+          fmt::format("the name {} of a link, made of its points, is taken by another part; "
+                      "rename a point",
+                      in_quotes(link)));
     }
+    taken.push_back(link);
   }
 }
 
@@ -299,7 +378,7 @@ void check_link_names(const Topology& topology, TableReader& mechanism) {
 
 std::optional<Topology> read_structure(PartTables& parts, TableReader& mechanism,
                                        TableReader& target, const Wanted& wanted) {
-  auto topology = StructureReader(parts, mechanism).read();
+  auto topology = StructureReader(parts, mechanism, wanted.takes_three_pins).read();
   const bool is_wanted = topology && choose_wanted(*topology, {parts, mechanism, target}, wanted);
   if (!is_wanted) {
     target.know({wanted.key});

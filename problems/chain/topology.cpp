@@ -27,11 +27,6 @@ std::vector<Vec2d> points_at_start(const Topology& topology, const synthesis::Ch
   return {place.at, place.at + lines.size()};
 }
 
-/// Whether a line's point is one of the mechanism.
-bool is_point(LineType type) {
-  return type != LineType::guide && type != LineType::third_link && type != LineType::drawn;
-}
-
 /// Adds the parts of a mechanism line by line.
 class Naming {
  public:
@@ -217,6 +212,18 @@ std::array<std::string, 2> link_names(const std::string& first, const std::strin
 
 std::string guide_name(const std::string& pin) {
   return pin + "-slide";
+}
+
+std::string third_link_name(const std::string& first, const std::string& third) {
+  return link_name(first, third) + "-link";
+}
+
+std::string drawn_name(const std::string& pin) {
+  return pin + "-drawn";
+}
+
+bool is_point(LineType type) {
+  return type != LineType::guide && type != LineType::third_link && type != LineType::drawn;
 }
 
 std::array<std::string, 2> slider_link_names(const std::string& first, const std::string& pin) {

@@ -42,6 +42,9 @@ struct TopologyWord {
 /// `mechanism.type` of a chain that the file describes point by point.
 inline constexpr std::string_view kChainWord = "chain";
 
+/// `type` of a `[[dyad]]` of such a chain that is a link with three pins.
+inline constexpr std::string_view kThreePinWord = "three-pin";
+
 /// `mechanism.type` of the chain of a crank and one slider.
 inline constexpr std::string_view kSliderCrankWord = "slider-crank";
 
@@ -79,6 +82,14 @@ std::array<std::string, 2> link_names(const std::string& first, const std::strin
 
 /// The name of the guide of the slider whose pin is `pin`.
 std::string guide_name(const std::string& pin);
+
+/// The names of the lines of a three-pin link that are no points: of the link from `first` to its
+/// third pin, and of the place where a pin is drawn.
+std::string third_link_name(const std::string& first, const std::string& third);
+std::string drawn_name(const std::string& pin);
+
+/// Whether a line of this type is a point of the mechanism.
+bool is_point(synthesis::LineType type);
 
 /// The names of the link from `first` to the pin of a slider, and of the slider.
 std::array<std::string, 2> slider_link_names(const std::string& first, const std::string& pin);

@@ -43,7 +43,7 @@ class WantedPoints {
             ? "path of " + in_quotes(names_[0])
             : fmt::format("angle from {} to {}", in_quotes(names_[0]), in_quotes(names_[1]));
     for (std::size_t i = 0; i < counts.size(); ++i) {
-      if (counts[i] || topology_.lines[i].line.type == synthesis::LineType::guide) continue;
+      if (counts[i] || !is_point(topology_.lines[i].line.type)) continue;
       const std::string& name = topology_.lines[i].name;
       TableReader& table = table_of(name);
       table.faults().add(table.where(),
@@ -96,6 +96,9 @@ class WantedPoints {
     for (const int line : lines_) counts[static_cast<std::size_t>(line)] = true;
     for (std::size_t i = topology_.lines.size(); i-- > 0;) {
       const synthesis::ChainLine& line = topology_.lines[i].line;
+      if (counts[i] && line.type == synthesis::LineType::second_pin) {
+        counts[i + 1] = counts[i - synthesis::kSecondPin] = true;  // the link stands as a whole
+      }
       for (const int before : {line.first, line.second}) {
         if (counts[i] && before >= 0) counts[static_cast<std::size_t>(before)] = true;
       }
@@ -136,7 +139,7 @@ bool choose_wanted(Topology& topology, const WantedTables& tables, const Wanted&
 std::string quoted_points(const Topology& topology) {
   std::vector<std::string_view> known;
   for (const TopologyLine& line : topology.lines) {
-    if (line.line.type != synthesis::LineType::guide) known.push_back(line.name);
+    if (is_point(line.line.type)) known.push_back(line.name);
   }
   return quoted_list(known);
 }

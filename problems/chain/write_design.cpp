@@ -61,13 +61,14 @@ class PartsWriter {
       table.set("type", "RRP").set("joins", name(first));
       table.add("slide", slide_node(guide, name(guide.line.first)));
     }
-    if (type != LineType::guide) add(line, table);
+    if (type == LineType::third_pin) add_three_pins(line, table);
+    if (is_point(type) && !is_three_pin(type)) add(line, table);
   }
 
   /// Adds what is given of it alone.
   void add_given(const TopologyLine& line) {
     TableWriter table;
-    if (line.line.type == LineType::guide) return;
+    if (!is_point(line.line.type)) return;
     bool has_guide = false;
     if (line.line.type == LineType::slider) {
       const TopologyLine& guide =
@@ -86,6 +87,18 @@ class PartsWriter {
   }
 
  private:
+  void add_three_pins(const TopologyLine& line, TableWriter& table) {
+    const auto& [type, first, second] = line.line;
+    const auto held_from = [&](int of) {
+      return name(topology_.lines[static_cast<std::size_t>(of)].line.first);
+    };
+    table.set("type", kThreePinWord)
+        .set("joins", std::array{held_from(first), held_from(second),
+                                 held_from(first - synthesis::kFirstPin)})
+        .set("new", std::array{name(first), name(second), line.name});
+    dyads_.push_back(node(table.take()));
+  }
+
   std::string name(int line) const {
     const auto at = static_cast<std::size_t>(line);
     return at < topology_.lines.size() ? topology_.lines[at].name : "";
