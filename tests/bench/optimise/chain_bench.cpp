@@ -12,6 +12,7 @@
 #include "synthesis/chain/chain_fit.hpp"
 #include "synthesis/chain/sweep.hpp"
 #include "tests/support/six_bars.hpp"
+#include "tests/support/three_pin_chains.hpp"
 
 namespace cognate::synthesis {
 namespace {
@@ -86,6 +87,48 @@ void gradients(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * kPositions);
 }
 BENCHMARK(gradients);
+
+/// The same of a six-bar with a three-pin link, followed from position to position.
+struct Pinned {
+  test::PinnedChain of = test::three_pin_chains().front();
+  std::vector<PlacedLine> lines = placed_lines(of.chain);
+  std::vector<double> side = std::vector<double>(lines.size(), 1.0);
+  int trace = static_cast<int>(lines.size()) - 1;
+
+  ChainView<double> view() const {
+    return {lines.data(), static_cast<int>(lines.size()), of.parameters.data(), side.data()};
+  }
+};
+
+void three_pin_positions(benchmark::State& state) {
+  const Pinned pinned;
+  ChainPlace<double> at;
+  for (auto _ : state) {
+    for (const Vec2d& crank : posed.cranks) {
+      place_next(pinned.view(), crank, at);
+      benchmark::DoNotOptimize(at.at[pinned.trace]);
+    }
+  }
+  state.SetItemsProcessed(state.iterations() * kPositions);
+}
+BENCHMARK(three_pin_positions);
+
+void three_pin_gradients(benchmark::State& state) {
+  const Pinned pinned;
+  ChainPlace<double> at;
+  std::vector<double> gradient(pinned.of.parameters.size(), 0.0);
+  for (auto _ : state) {
+    for (const Vec2d& crank : posed.cranks) {
+      place_next(pinned.view(), crank, at);
+      Vec2d seed[kMostLines]{};
+      seed[pinned.trace] = 2.0 * (at.at[pinned.trace] - Vec2d{3, 4.5});
+      sweep_back(pinned.view(), at, pinned.trace, seed, gradient.data());
+    }
+    benchmark::DoNotOptimize(gradient.data());
+  }
+  state.SetItemsProcessed(state.iterations() * kPositions);
+}
+BENCHMARK(three_pin_gradients);
 
 /// Whole iterations of fits in lanes: rows and normal equations of 15 unknowns, 36 positions at
 /// which transmission angles are looked at, the attempt and its cost.

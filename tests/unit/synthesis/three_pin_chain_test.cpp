@@ -15,92 +15,14 @@
 #include "synthesis/chain/chain_fit.hpp"
 #include "synthesis/chain/drawn.hpp"
 #include "synthesis/chain/sweep.hpp"
+#include "tests/support/three_pin_chains.hpp"
 
 namespace cognate::synthesis::three_pin_chain_test {
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
-
-struct PinnedChain {
-  Chain chain;
-  std::vector<double> parameters;
-  int base;  ///< the first line of the three-pin link
-};
-
-/// The parameters of the six lines of a link by where its pins and what holds them stand with the
-/// crank at angle 0.
-std::vector<double> drawn(const std::array<Vec2d, 3>& pins, const std::array<Vec2d, 3>& holders) {
-  const Vec2d way = pins[1] - pins[0];
-  const Vec2d third = conj((1 / norm(way)) * way) * (pins[2] - pins[0]);
-  return {norm(pins[2] - holders[2]),
-          pins[0].x,
-          pins[0].y,
-          pins[1].x,
-          pins[1].y,
-          norm(pins[0] - holders[0]),
-          norm(pins[1] - holders[1]),
-          norm(way),
-          third.x,
-          third.y};
-}
-
-std::vector<double> joined(std::vector<double> a, const std::vector<double>& b,
-                           const std::vector<double>& c) {
-  a.insert(a.end(), b.begin(), b.end());
-  a.insert(a.end(), c.begin(), c.end());
-  return a;
-}
-
-/// Pins on two rockers and a link from the crank; on a rocker and two links from the crank; on a
-/// rocker, a link from the crank and one from the coupler of a four-bar. The last line is a point.
-std::vector<PinnedChain> chains() {
-  const std::array<Vec2d, 3> pins{Vec2d{3.33, -1.5}, {2.2, 3.0}, {4.6, -3.0}};
-  const Vec2d pivots[] = {{-1.8, 0.2}, {1.9, -4.7}};
-  const Chain frame{{{LineType::pivot},
-                     {LineType::pivot},
-                     {LineType::pivot},
-                     {LineType::crank, 0},
-                     {LineType::third_link, 2},
-                     {LineType::drawn},
-                     {LineType::drawn},
-                     {LineType::first_pin, 3},
-                     {LineType::second_pin, 1, 7},
-                     {LineType::third_pin, 7, 8},
-                     {LineType::attached, 3, 7}}};
-  const auto on_frame = joined({0, 0, pivots[0].x, pivots[0].y, pivots[1].x, pivots[1].y, 0.6},
-                               drawn(pins, {Vec2d{0.6, 0}, pivots[0], pivots[1]}), {0.7, 0.3});
-  Chain crank = frame;
-  crank.lines[1] = {LineType::pivot};
-  crank.lines[2] = {LineType::crank, 0};
-  crank.lines[3] = {LineType::attached, 0, 2};
-  crank.lines[4] = {LineType::third_link, 1};
-  crank.lines[7] = {LineType::first_pin, 2};
-  crank.lines[8] = {LineType::second_pin, 3, 7};
-  crank.lines[10] = {LineType::attached, 7, 8};
-  const auto on_crank = joined({0, 0, 1.9, -4.7, 0.6, 0.1, 0.5},
-                               drawn(pins, {Vec2d{0.6, 0}, {0.1, 0.5}, pivots[1]}), {0.7, 0.3});
-  const Chain coupler{{{LineType::pivot},
-                       {LineType::pivot},
-                       {LineType::pivot},
-                       {LineType::crank, 0},
-                       {LineType::dyad, 3, 1},
-                       {LineType::attached, 3, 4},
-                       {LineType::third_link, 2},
-                       {LineType::drawn},
-                       {LineType::drawn},
-                       {LineType::first_pin, 3},
-                       {LineType::second_pin, 5, 9},
-                       {LineType::third_pin, 9, 10},
-                       {LineType::attached, 9, 10}}};
-  const double reach = 2.4;
-  const Vec2d joint = dyad_joint(Vec2d{0.6, 0}, pivots[0], 2.0, reach, 1.0);
-  const Vec2d axis = (1 / norm(joint - Vec2d{0.6, 0})) * (joint - Vec2d{0.6, 0});
-  const Vec2d carried = Vec2d{0.6, 0} + Vec2d{0.4, 0.5} * axis;
-  const auto on_coupler =
-      joined({0, 0, pivots[0].x, pivots[0].y, pivots[1].x, pivots[1].y, 0.6, 2.0, reach, 0.4, 0.5},
-             drawn(pins, {Vec2d{0.6, 0}, carried, pivots[1]}), {0.7, 0.3});
-  return {{frame, on_frame, 4}, {crank, on_crank, 4}, {coupler, on_coupler, 6}};
-}
+using test::PinnedChain;
+using test::three_pin_chains;
 
 /// A chain that keeps what its view points to.
 template <class T>
@@ -139,7 +61,7 @@ std::array<Vec2d, 3> holders_of(const PinnedChain& of, const ChainPlace<double>&
 }
 
 TEST(ThreePinChain, StandsInOneOfAllAssemblies) {
-  for (const PinnedChain& of : chains()) {
+  for (const PinnedChain& of : three_pin_chains()) {
     Pinned<double> chain(of);
     for (int i = 0; i < 360; i += 5) {
       const auto& at = chain.at(unit_vector(kTurn * i / 360));
@@ -160,7 +82,7 @@ TEST(ThreePinChain, StandsInOneOfAllAssemblies) {
 }
 
 TEST(ThreePinChain, FollowedAndBegunAnewAreTheSame) {
-  for (const PinnedChain& of : chains()) {
+  for (const PinnedChain& of : three_pin_chains()) {
     Pinned<double> chain(of);
     ChainPlace<double> followed;
     for (int i = 0; i < 720; ++i) {
@@ -178,7 +100,7 @@ Vec2d pole(const Vec2d& a, const Vec2d& from_a, const Vec2d& b, const Vec2d& fro
 }
 
 TEST(ThreePinChain, TransmissionAnglesAreMeasuredToThePole) {
-  for (const PinnedChain& of : chains()) {
+  for (const PinnedChain& of : three_pin_chains()) {
     Pinned<double> chain(of);
     for (int i = 0; i < 360; i += 7) {
       const auto& at = chain.at(unit_vector(kTurn * i / 360));
@@ -227,7 +149,7 @@ std::vector<double> gradient_of(Pinned<double>& chain, int base, const Vec2d& cr
 }
 
 TEST(ThreePinChain, GradientsAreDifferencesIn113Bits) {
-  for (const PinnedChain& of : chains()) {
+  for (const PinnedChain& of : three_pin_chains()) {
     Pinned<double> chain(of);
     Pinned<Quad> exact(of);
     for (int i = 30; i < 360; i += 120) {
@@ -257,7 +179,7 @@ TEST(ThreePinChain, GradientsAreDifferencesIn113Bits) {
 }
 
 TEST(ThreePinChain, MotionAndGradientSayTheSame) {
-  for (const PinnedChain& of : chains()) {
+  for (const PinnedChain& of : three_pin_chains()) {
     Pinned<double> chain(of);
     const std::size_t count = chain.parameters.size();
     for (int i = 0; i < 360; i += 7) {
@@ -277,7 +199,7 @@ TEST(ThreePinChain, MotionAndGradientSayTheSame) {
 }
 
 TEST(ThreePinChain, IsNotANumberBeyondItsDeadPoint) {
-  PinnedChain of = chains().front();
+  PinnedChain of = three_pin_chains().front();
   of.parameters[6] = 9;  // a crank that no link can follow
   Pinned<double> chain(of);
   const auto is_closed = [&](int degree) {
@@ -287,7 +209,7 @@ TEST(ThreePinChain, IsNotANumberBeyondItsDeadPoint) {
 }
 
 TEST(ThreePinChain, BodiesAndJointsAreThoseOfFourMoreLinks) {
-  const PinnedChain of = chains().front();
+  const PinnedChain of = three_pin_chains().front();
   const auto all = bodies(of.chain);
   ASSERT_EQ(all.size(), 6U);
   EXPECT_EQ(all[2], (std::vector<int>{3, 7, 10}));
@@ -299,7 +221,7 @@ TEST(ThreePinChain, BodiesAndJointsAreThoseOfFourMoreLinks) {
 /// The path of a chain is fitted again from dimensions nearby, in every instruction set.
 TEST(ThreePinChain, FitsReturnToTheChainOfTheTarget) {
   for (const InstructionSet set : instruction_sets()) {
-    for (const PinnedChain& of : chains()) {
+    for (const PinnedChain& of : three_pin_chains()) {
       Pinned<double> chain(of);
       ChainFit problem{.chain = of.chain, .trace = chain.trace(), .closed = true};
       ChainFitState state{{of.parameters, std::vector<int>(of.chain.lines.size(), 1)}, {}};
