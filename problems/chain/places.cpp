@@ -53,12 +53,15 @@ ChainPlaces::ChainPlaces(std::span<const ChainLine> lines, std::span<const doubl
       case LineType::second_pin:
         break;
       case LineType::third_pin: {
-        const auto from = [&](int line) { return lines[static_cast<std::size_t>(i + line)].first; };
+        const auto from = [&](int back) {
+          const int line = i - back;
+          return lines[static_cast<std::size_t>(line)].first;
+        };
         const auto before = [&](std::size_t count) {
           return parameters.empty() ? 0.0 : parameters[next - count];
         };
         add_three_pins({i,
-                        {from(-2), from(-1), from(-synthesis::kThirdPin)},
+                        {from(2), from(1), from(synthesis::kThirdPin)},
                         {before(3), before(2), before(8)},
                         before(1),
                         {parameter(0), parameter(1)}});
