@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "problems/linkage/cycle/cycle_quantities.hpp"
+
 namespace cognate::app {
 namespace {
 
@@ -28,14 +30,24 @@ std::string embedded(const ordered_json& value) {
   return text;
 }
 
+/// "torque_ripple_max=N m;…": limits over the cycle that have a unit of their own, with it.
+std::string limit_units() {
+  std::string text;
+  for (const problems::CycleDeclaration& quantity : problems::kCycleQuantities) {
+    if (!quantity.is_in_metres()) continue;
+    text += fmt::format("{}{}={}", text.empty() ? "" : ";", quantity.limit_key, quantity.unit);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string filled_page(std::string page, const ordered_json& data, std::string_view length_unit) {
   constexpr std::string_view kRoot = "<html", kMarker = "@DATA@";
-  if (!length_unit.empty()) {
-    page.insert(page.find(kRoot) + kRoot.size(),
-                fmt::format(R"( data-length-unit="{}")", length_unit));
-  }
+  std::string attributes;
+  if (!length_unit.empty()) attributes = fmt::format(R"( data-length-unit="{}")", length_unit);
+  attributes += fmt::format(R"( data-limit-units="{}")", limit_units());
+  page.insert(page.find(kRoot) + kRoot.size(), attributes);
   return page.replace(page.find(kMarker), kMarker.size(), embedded(data));
 }
 

@@ -8,7 +8,8 @@
 namespace cognate::app {
 
 /// `page` (of page.hpp) with `data` in its place, as JSON that no text in it can break out of, and
-/// the unit of lengths, one of the words of `length_unit`; empty where there is none.
+/// the units that it shows: of limits over the cycle, and of lengths, one of the words of
+/// `length_unit`; empty where there is none.
 std::string filled_page(std::string page, const nlohmann::ordered_json& data,
                         std::string_view length_unit);
 

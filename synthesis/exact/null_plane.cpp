@@ -1,8 +1,9 @@
 #include "synthesis/exact/null_plane.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
+
+#include "synthesis/exact/reflections.hpp"
 
 namespace cognate::synthesis {
 
@@ -19,7 +20,7 @@ std::optional<std::array<Eigen::Matrix<double, Rows + Dimension, 1>, Dimension>>
   std::array<Eigen::Matrix<double, kColumns, 1>, Dimension> basis;
   for (int i = 0; i < Dimension; ++i) {
     basis[i] = Eigen::Matrix<double, kColumns, 1>::Unit(Rows + i);
-    basis[i].applyOnTheLeft(qr.householderQ());
+    apply_q(qr, basis[i]);
   }
   return basis;
 }

@@ -161,6 +161,11 @@ class Analyze(unittest.TestCase):
                 self.assertLess(metrics["closure_residual"], 1e-13)
                 self.assertLess(metrics.get("power_residual", 0), 1e-11)
 
+    def test_the_schema_names_the_types_of_the_program(self):
+        mechanism = json.loads(SCHEMA.read_text())["definitions"]["any_mechanism"]
+        listed = json.loads(run("list", "--json").stdout)["mechanisms"]
+        self.assertEqual(mechanism["properties"]["type"]["enum"], [each["name"] for each in listed])
+
     def test_the_mechanism_of_a_result_is_that_of_its_file(self):
         # What a result says of its problem is a file again, and gives the same numbers.
         files = sorted((LIBRARY / "analysis").glob("*.toml"))

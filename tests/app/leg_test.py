@@ -1,4 +1,4 @@
-"""Walking legs, against closures by intersection of circles and a scan of 40 000 positions.
+"""Walking legs, against closures by intersection of circles and a scan of 10 000 positions.
 
 Run as: leg_test.py PROGRAM LIBRARY, the built program and the folder of library problems.
 """
@@ -16,7 +16,7 @@ from thinned import whole_only  # noqa: E402
 from written_files import command, solved  # noqa: E402
 
 LIBRARY = pathlib.Path()
-SAMPLES = 40000
+SAMPLES = 10000
 
 
 def library(name):

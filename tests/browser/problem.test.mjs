@@ -56,6 +56,18 @@ test("the card says whose error is to be least", async () => {
   await close();
 });
 
+test("limits over the cycle have their units", async () => {
+  const limits = "torque_ripple_max = 900\npeak_torque_max = 900\nrms_torque_max = 900\nmotor_power_max = 9000\nspeed_fluctuation_max = 1.9\n";
+  const file = path.join(folder, "limited.toml");
+  writeFileSync(file, readFileSync(path.join(LIBRARY, "function", "logarithm-small-flywheel.toml"), "utf8").replace("[constraints]\n", `[constraints]\n${limits}`).replace("[flywheel]\n", "[flywheel]\ninertia = 6\n"));
+  execFileSync(process.env.COGNATE, ["solve", "--quiet", "--out", folder, file]);
+  const { page, faults, close } = await open(browser, path.join(folder, "limited.report.html"), { motion: "reduce" });
+  const { Constraints } = await rows(page);
+  for (const limit of ["torque ripple 900 N·m;", "rms torque 900 N·m;", "power 9000 W", "fluctuation 1.9;", "6 kg·m²"]) assert.ok(`${Constraints};`.includes(limit), `${limit} in ${Constraints}`);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 test("the bounds of a dyad are those of its links", async () => {
   const file = path.join(folder, "bounded.toml");
   writeFileSync(file, `${readFileSync(path.join(LIBRARY, "chain", "watt-path.toml"), "utf8")}\n[solve]\nstarts = 60\n`);

@@ -3,7 +3,9 @@
 Run as: mechanisms_test.py, with the module on PYTHONPATH.
 """
 
+import ast
 import copy
+import pathlib
 import pickle
 import threading
 import unittest
@@ -272,10 +274,16 @@ class MechanismTest(unittest.TestCase):
             np.testing.assert_array_equal(each, there)
 
     def test_keys_are_those_of_files(self):
-        listed = {entry["name"] for entry in cognate.list("analysis")["mechanisms"]}
-        for word in listed - {"chain"}:
-            name = "".join(part.capitalize() for part in word.split("-"))
-            self.assertTrue(hasattr(cognate, name), name)
+        stub = pathlib.Path(cognate.mechanisms.__file__).with_suffix(".pyi").read_text(encoding="utf-8")
+        stubs = {part.name: part for part in ast.parse(stub).body if isinstance(part, ast.ClassDef)}
+        for listed in cognate.list("analysis")["mechanisms"]:
+            name = "".join(part.capitalize() for part in listed["name"].split("-"))
+            self.assertIs(getattr(cognate, name), getattr(cognate.mechanisms, name))
+            init = stubs.pop(name).body[0]
+            if name != "Chain":  # whose keys are tables
+                self.assertEqual([keyword.arg for keyword in init.args.kwonlyargs],
+                                 [key["name"] for key in listed["keys"]] + ["point"], name)
+        self.assertEqual(list(stubs), ["Mechanism"])
 
 
 class BatchTest(unittest.TestCase):

@@ -16,8 +16,15 @@ const UNITS_OF_KEYS = {
   mass: "kg", mass_per_length: say("unit.mass_by_length"), force: "N", torque: "N·m", stall_torque: "N·m", inertia: "kg·m²", gravity: say("unit.acceleration"),
   speed: "rad/s", no_load_speed: "rad/s", start_speed: "rad/s", speed_end: "rad/s", time_max: "s", elasticity: say("unit.stress"),
   "drive.acceleration": "rad/s²", "sliding_drive.speed": say("unit.speed"), "sliding_drive.acceleration": say("unit.acceleration"),
-  torque_ripple_max: "N·m", peak_torque_max: "N·m", rms_torque_max: "N·m", motor_power_max: "W", flywheel_inertia_max: "kg·m²", torque_max: "N·m", contact_force_max: "N", contact_stress_max: say("unit.stress"),
+  torque_max: "N·m", contact_force_max: "N", contact_stress_max: say("unit.stress"),
+  ...limitUnits(),
 };
+
+// Of the limits over the cycle, as the program has them: "torque_ripple_max=N m;…".
+function limitUnits() {
+  const { limitUnits: listed = "" } = document.documentElement.dataset;
+  return Object.fromEntries([...listed.matchAll(/(\w+)=([^;]+)/g)].map(([, key, unit]) => [key, unit.replace(" ", "·").replace("m2", "m²")]));
+}
 
 // Pairs of numbers under these keys, and all in these tables, are intervals; under those they are vectors.
 const INTERVALS = /^(domain|.*_range(_deg)?|when|stroke|over_deg)$/;

@@ -1,6 +1,5 @@
 /// Slider-cranks of a given offset through three or four conditions.
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include "synthesis/exact/function/slider_equation.hpp"
 #include "synthesis/exact/null_plane.hpp"
 #include "synthesis/exact/polish.hpp"
+#include "synthesis/exact/reflections.hpp"
 
 namespace cognate::synthesis {
 namespace {
@@ -170,6 +170,7 @@ class OffsetSolver {
 
  private:
   using Columns = Eigen::Matrix4d;
+  using ThreeColumns = Eigen::Matrix<double, 4, 3>;
 
   static constexpr double kNone = 1e-11;       ///< of a unit vector: as good as zero
   static constexpr double kDependent = 1e-13;  ///< determinants of rows of size one
@@ -181,16 +182,17 @@ class OffsetSolver {
   void add_for_start(const Vec2d& root, const std::array<Columns, 2>& parts) {
     if (std::abs(root.y) <= kNone) {
       // s₀ at infinity: s is harmonic in φ.
-      Eigen::Matrix<double, 4, 3> m;
+      ThreeColumns m;
       m << parts[1].col(1), parts[1].col(2), parts[0].col(3);
-      const Eigen::Vector3d x = m.colPivHouseholderQr().solve(-parts[1].col(0));
+      const Eigen::Vector3d x =
+          solved(Eigen::ColPivHouseholderQR<ThreeColumns>(m), -parts[1].col(0));
       add_yoke(std::hypot(x[0], x[1]), 1);
       return;
     }
     const double origin = root.x / root.y;
     const Columns all = parts[0] + origin * parts[1];
-    const Eigen::Matrix<double, 4, 3> m = all.rightCols<3>();
-    const Eigen::Vector3d x = m.colPivHouseholderQr().solve(-all.col(0));
+    const ThreeColumns m = all.rightCols<3>();
+    const Eigen::Vector3d x = solved(Eigen::ColPivHouseholderQR<ThreeColumns>(m), -all.col(0));
     const Vec2d crank{x[0], x[1]};
     if (!(norm(crank) > kNone)) {
       add_slider_limit(SliderCrankOutcome::no_crank, 0, result_);

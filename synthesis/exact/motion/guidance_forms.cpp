@@ -2,11 +2,12 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
+
+#include "synthesis/exact/reflections.hpp"
 
 namespace cognate::synthesis {
 namespace {
@@ -65,7 +66,7 @@ Values step(const Jacobian& jacobian, const Values& right) {
   if (jacobian.rows() < jacobian.cols()) {
     return jacobian.transpose() * (jacobian * jacobian.transpose()).ldlt().solve(right);
   }
-  return jacobian.colPivHouseholderQr().solve(right);
+  return solved(Eigen::ColPivHouseholderQR<Jacobian>(jacobian), right);
 }
 
 PivotPair at_start(PivotPair pair, Pinned pinned) {
@@ -236,7 +237,7 @@ void GuidanceForms::orthogonalise(std::span<const Displacement> displacements) {
     status_ = GuidanceStatus::family;
     return;
   }
-  const Eigen::Matrix<double, 7, 7> q = qr.householderQ();
+  const Eigen::Matrix<double, 7, 7> q = factor_q(qr);
   for (int j = 0; j < count_; ++j) basis_[static_cast<std::size_t>(j)] = form_of(q.col(j));
   null_space_ = q.rightCols<3>();
 }

@@ -276,7 +276,7 @@ TEST(PathGeneration, ReportsTheLeastViolatingDesignWhereNoneIsFeasible) {
   problem.bounds.pivot_a = Box{{-0.1, -0.1}, {0.1, 0.1}};
   problem.constraints.transmission_angle = Range{1.5, 1.6};
   problem.constraints.link_ratio_max = 1.5;
-  problem.solve.starts = 40;
+  problem.solve.starts = 10;
   const Result result = solve(problem, {});
   EXPECT_EQ(result.status, Status::infeasible);
   ASSERT_FALSE(result.designs.empty());
