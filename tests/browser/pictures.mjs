@@ -34,6 +34,7 @@ const PICTURES = [
   { name: "sketch-poses", command: "sketch", file: "sketch", begin: "#of-poses", draw: POSES, drive: 80, show: "#stage" },
   { name: "sketch-function", command: "sketch", file: "sketch", begin: "#of-function", draw: [FUNCTION], drive: 105, show: "#stage" },
   { name: "sketch-slider-crank", command: "sketch", file: "sketch", begin: "#by-slider", draw: [DROP], drive: 60, show: "#stage" },
+  { name: "sketch-both", command: "sketch", file: "sketch", begin: "#by-both", draw: [DROP], drive: 60, show: "#stage" },
   { name: "sketch-line", command: "sketch", file: "sketch", begin: "#of-line", draw: [LINE], choose: ["#class", "crank-rocker"], drive: 60, show: "#stage" },
   { name: "build", command: "sketch", file: "mechanism", options: ["--mechanism"], begin: "[data-example=quick_return]", drive: 148, show: "#stage" },
   { name: "report", command: "solve", file: "path/ten-point-ellipse" },

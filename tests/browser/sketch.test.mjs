@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import fs from "node:fs";
 import { assertFits, distance, inTurn as test, moves, open, some } from "./browser.mjs";
 import { clearanceOf, couplerPose } from "./closures.mjs";
-import { addressOf, answered, browser, draw, facts, file, hasKernel, offered, settled, targets, visit } from "./sketching.mjs";
+import { addressOf, answered, browser, draw, facts, file, hasKernel, hold, holding, offered, settled, targets, visit } from "./sketching.mjs";
 
 const ellipse = (t) => [0.5 + 0.16 * Math.cos(t), 0.45 - 0.2 * Math.sin(t)];
 
@@ -113,16 +113,7 @@ test("a dragged point is searched for anew", () => visit({}, async (page) => {
   assert.ok(Math.abs((await facts(page, "rms"))[0] - rms) < 1e-9);
 }));
 
-// Questions about all designs wait until they are let go.
-const holdingSearches = (page) => page.addInitScript(() => {
-  Object.assign(window, { held: [], holds: false });
-  const { postMessage } = Worker.prototype;
-  Worker.prototype.postMessage = function (message) {
-    if (window.holds && message.problem && !message.problem.known_alone) window.held.push(() => postMessage.call(this, message)); else postMessage.call(this, message);
-  };
-});
-
-test("the design chosen follows a drag without the others, and is not taken back by what is found for a step before", () => visit({ prepare: holdingSearches }, async (page) => {
+test("the design chosen follows a drag without the others, and is not taken back by what is found for a step before", () => visit({ prepare: holding }, async (page) => {
   if (!hasKernel) return;
   await draw(page, ellipse);
   await settled(page);
@@ -130,7 +121,7 @@ test("the design chosen follows a drag without the others, and is not taken back
   const rms = () => facts(page, "rms"), chosen = () => page.locator(".design-card:has(:checked) [data-fact=rms]").getAttribute("data-value");
   const changed = (value) => page.waitForFunction((before) => document.querySelector(".design-card:has(:checked) [data-fact=rms]").dataset.value !== before, value);
   const before = await rms(), first = await chosen();
-  await page.evaluate(() => { window.holds = true; });
+  await hold(page);
   const box = await page.locator('[data-target="3"]').boundingBox(), [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   await page.mouse.move(x, y);
   await page.mouse.down();
@@ -143,7 +134,7 @@ test("the design chosen follows a drag without the others, and is not taken back
   await changed(second);
   const third = await chosen();
   // The answer to the first step is followed by the question of the second.
-  await page.evaluate(() => window.held.shift()());
+  await page.evaluate(() => window.held.shift().send());
   await page.waitForFunction(() => window.held.length === 1);
   assert.equal(await chosen(), third);
   assert.notDeepEqual((await rms()).filter((value) => String(value) !== third), before.toSpliced(1, 1));

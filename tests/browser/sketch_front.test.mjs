@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { assertFits, inTurn as test, some } from "./browser.mjs";
 import { couplerPose, leastTransmission } from "./closures.mjs";
-import { addressOf, answered, draw, facts, offered, put, settled, SIX, visit } from "./sketching.mjs";
+import { addressOf, answered, draw, facts, hold, holding, letGo, offered, put, settled, SIX, visit } from "./sketching.mjs";
 
 const heart = (t) => [0.45 + 0.14 * Math.cos(t) + 0.05 * Math.cos(2 * t), 0.45 - 0.17 * Math.sin(t) - 0.05 * Math.sin(2 * t)];
 const PATIENCE = { timeout: 240000 };
@@ -12,6 +12,7 @@ const ended = (page) => noteIs(page, "^The least error");
 const points = (page) => page.locator(".front-point").evaluateAll((all) => all.map(({ dataset }) => ({ level: Number(dataset.level), angle: Number(dataset.angle), error: Number(dataset.error) })));
 const pointAt = (page, level) => page.locator(`.front-point[data-level="${level}"]`);
 const limit = (page) => page.locator("#least").inputValue();
+const hasFocus = (mark) => mark.evaluate((one) => one === document.activeElement);
 const chosenFact = (page, name) => page.locator(`.design-card:has(:checked) [data-fact=${name}]`).evaluate((one) => JSON.parse(one.dataset.value));
 
 function assertRises(front) {
@@ -19,7 +20,7 @@ function assertRises(front) {
   front.forEach(({ angle, error }, i) => assert.ok(i === 0 || (angle > front[i - 1].angle && error > front[i - 1].error), JSON.stringify(front)));
 }
 
-test("a point of the front is looked at and taken by keys, kept in the address, and undone", () => visit({}, async (page) => {
+test("a point of the front is looked at and taken by keys, kept in the address, and undone", () => visit({ prepare: holding }, async (page) => {
   await draw(page, heart);
   await ended(page);
   const front = await points(page);
@@ -38,30 +39,62 @@ test("a point of the front is looked at and taken by keys, kept in the address, 
   const { level, angle, error } = front.at(-2);
   const read = await page.locator("#front-reading").textContent();
   assert.match(read, new RegExp(`^${angle.toFixed(1)}°, RMS error ${Number(error.toPrecision(3))} `));
+  // What stands at once does not depend on how soon the next search answers.
+  await hold(page);
+  const mark = await pointAt(page, level).elementHandle();
   await page.keyboard.press("Enter");
   assert.equal(await limit(page), String(level));
   assert.equal(await page.locator(".looked-at").count(), 0);
-  assert.ok(await pointAt(page, level).evaluate((one) => one === document.activeElement));
+  assert.ok(await hasFocus(mark));
   assert.deepEqual([await chosenFact(page, "rms"), await chosenFact(page, "least")], [error, angle]);
   assert.ok(page.url().includes(`&l=any,${level},3`));
   const taken = addressOf(page);
   assert.ok(Math.abs(taken.rms - error) < 1e-9 && leastTransmission(taken, taken.cranks) > level - 1e-3);
-  // The front is still there, at once, and the search for the new limit finds nothing better.
+  // The front is still there, and the search for the new limit finds nothing better.
   assert.equal((await points(page)).length, front.length);
+  await letGo(page);
   await settled(page);
+  assert.ok(await hasFocus(mark));
   assert.deepEqual(addressOf(page), taken);
   assert.ok((await facts(page, "rms"))[0] >= 0.999 * error);
   await visit({ hash: `#${page.url().split("#")[1]}` }, async (again) => {
     await settled(again);
     assert.deepEqual(addressOf(again), taken);
   });
+  await hold(page);
   await page.keyboard.press("Control+z");
   assert.equal(await limit(page), "30");
   assert.equal((await points(page)).length, front.length);
   await page.keyboard.press("Control+Shift+z");
+  await letGo(page);
   await offered(page);
   assert.equal(await limit(page), String(level));
   assert.ok(await chosenFact(page, "rms") <= error * (1 + 1e-6));
+}));
+
+test("where a point with the focus is beaten, the focus and the linkage looked at are those of the next", () => visit({ prepare: holding }, async (page) => {
+  await draw(page, heart);
+  await ended(page);
+  const front = await points(page), [before, beaten, next] = front.slice(-3);
+  await pointAt(page, beaten.level).focus();
+  await hold(page);
+  await page.evaluate(() => {
+    const slider = document.getElementById("least");
+    slider.value = 10;
+    slider.dispatchEvent(new Event("change", { bubbles: true }));
+  });
+  // The design of the next point, said to miss by less than this one.
+  await page.evaluate(({ angle, error, less }) => {
+    const [{ worker, message }] = window.held, entry = window.told.flatMap(({ answer }) => answer?.designs ?? []).find((one) => one.transmission_acute_min_deg === angle && one.rms === error);
+    worker.onmessage({ data: { id: message.id, answer: { designs: [{ ...entry, rms: less }] } } });
+  }, { ...next, less: (before.error + beaten.error) / 2 });
+  assert.deepEqual((await points(page)).map(({ level }) => level), [...front.slice(0, -2), next].map(({ level }) => level));
+  assert.ok(await hasFocus(await pointAt(page, next.level).elementHandle()));
+  assert.equal(await page.locator(".front-point[tabindex='0']").getAttribute("data-level"), String(next.level));
+  assert.equal(await page.locator(".looked-at").count(), 1);
+  assert.ok((await page.locator("#front-reading").textContent()).startsWith(`${next.angle.toFixed(1)}°, `));
+  await page.keyboard.press("ArrowLeft");
+  assert.ok(await hasFocus(await pointAt(page, before.level).elementHandle()));
 }));
 
 // How far the targets are missed, as the errors of the page count it.

@@ -7,7 +7,7 @@ import os from "node:os";
 import path from "node:path";
 import { test } from "node:test";
 import { harmonicStroke, randomNumbers } from "../bench/report/drawings.mjs";
-import { leadingQuestion, problemOf } from "../../app/report/page/sketch/question.js";
+import { kindOf, leadingQuestion, liveQuestion, problemOf, questionsOf } from "../../app/report/page/sketch/question.js";
 import { placedOn } from "../../app/report/page/sketch/ruled.js";
 import { problemToml } from "../../app/report/page/toml.js";
 import { couplerPose, leastTransmission, sliderOf, sliderPose } from "./closures.mjs";
@@ -89,6 +89,27 @@ test("a search for slider-cranks that begins with a design ends with none worse"
   const row = ({ mechanism: m, crank_deg: cranks }) => [...m.pivot, m.crank, m.direction_deg, m.offset, m.coupler, ...m.coupler_point, m.assembly === "open" ? 1 : 0, ...cranks];
   const found = asked(stroke(3), 500).designs, again = asked(stroke(3), 1, found.map(row)).designs;
   assert.ok(found[0].rms > 1e-3 && again[0].rms <= found[0].rms * (1 + 1e-6), `${again[0].rms} after ${found[0].rms}`);
+});
+
+test("both kinds are searched for in turns, four-bars first, each from its own designs", () => {
+  const both = { ...stroke(1), both: true }, fourBars = { ...both, slides: false, both: false }, sliders = { ...both, both: false };
+  const entries = [fourBars, sliders].map((state) => asked(state, 60).designs[0]), candidates = entries.map((entry) => ({ entry }));
+  const ofKind = ({ problem, known }) => [problem.mechanism?.type ?? "four-bar", problem.solve.starts, known.map((row) => row.length - both.points.length)];
+  // The first question is that of four-bars alone, which begins with as many numbers.
+  const [first, second, ...later] = questionsOf(both, candidates);
+  assert.deepEqual(first, { ...questionsOf(fourBars, candidates)[0], last: false });
+  assert.deepEqual([first, second].map(ofKind), [["four-bar", 60, [11]], ["slider-crank", 60, [9]]]);
+  assert.deepEqual(later.map((question) => ofKind(question).slice(0, 2)), [500, 500, 2500, 2500].map((starts, i) => [i % 2 ? "slider-crank" : "four-bar", starts]));
+  assert.deepEqual([first, second, ...later].map(({ first: begins, last }) => [begins, last]), Array.from({ length: 6 }, (_, i) => [i === 0, i === 5]));
+  // While a hand drags both are asked at once, the design that leads alone.
+  const live = liveQuestion(both, candidates);
+  assert.deepEqual([live, ...live.others].map(ofKind), [["four-bar", 1, [11]], ["slider-crank", 1, [9]]]);
+  for (const [i, kind] of ["four-bar", "slider-crank"].entries()) {
+    const leading = leadingQuestion(both, candidates[i]);
+    assert.equal(leading.problem.mechanism?.type ?? "four-bar", kind);
+    assert.equal(answer({ ...leading.problem, known: leading.known }).designs.length, 1);
+    assert.deepEqual(problemOf(kindOf(both, entries[i]), {}), problemOf([fourBars, sliders][i], {}));
+  }
 });
 
 const LINE = { ...LIMITS, straight: true, points: [[-20, 5], [35, 25]] };

@@ -68,6 +68,23 @@ async function prepare(page) {
   });
 }
 
+// Likewise; while `window.holds` is set, questions about all designs wait as {worker, message, send} in `window.held`. `window.told` is what was answered.
+export async function holding(page) {
+  await prepare(page);
+  await page.addInitScript(() => {
+    Object.assign(window, { held: [], holds: false, told: [] });
+    const { postMessage } = Worker.prototype;
+    const listened = new WeakSet();
+    Worker.prototype.postMessage = function (message) {
+      const { onmessage } = this, send = () => postMessage.call(this, message);
+      if (!listened.has(this)) { listened.add(this); this.onmessage = (event) => { window.told.push(event.data); onmessage.call(this, event); }; }
+      if (window.holds && message.problem && !message.problem.known_alone) window.held.push({ worker: this, message, send }); else send();
+    };
+  });
+}
+export const hold = (page) => page.evaluate(() => { window.holds = true; });
+export const letGo = (page) => page.evaluate(() => { window.holds = false; for (const { send } of window.held.splice(0)) send(); });
+
 export async function visit(options, steps) {
   const { page, faults, close } = await open(browser, path.join(folder, "answered.html"), { motion: "reduce", prepare, ...options });
   await steps(page);

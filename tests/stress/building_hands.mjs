@@ -10,7 +10,7 @@ import os from "node:os";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { gapOf } from "../browser/rigidity.mjs";
-import { act, asked, clicked, hands, PATIENCE_AT_REST, through } from "./hands.mjs";
+import { act, asked, clicked, hands, through } from "./hands.mjs";
 
 const run = asked(), hand = hands(run.seed), { random, pick } = hand;
 const TOOLS = ["move", "link", "pivot", "slider", "point", "drive", "load"];
@@ -115,7 +115,7 @@ let rested = 0, moving = 0;
 async function rests(page) {
   await page.setViewportSize(WINDOWS[1]);
   for (let i = 0; i < 3; ++i) await page.keyboard.press("Escape");
-  await page.waitForFunction(() => document.getElementById("state").textContent !== "" && document.getElementById("state").ariaBusy !== "true", null, { timeout: PATIENCE_AT_REST });
+  await page.waitForFunction(() => document.getElementById("state").textContent !== "" && document.getElementById("state").ariaBusy !== "true");
   rested += 1;
   const before = await rowsOf(page);
   if (await page.locator("#state.sound").count()) {

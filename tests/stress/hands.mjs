@@ -9,8 +9,7 @@ import { randomNumbers } from "../bench/report/drawings.mjs";
 import { launch, open, SIZES } from "../browser/browser.mjs";
 
 const BLOCK = 100, BLOCKS_TO_REST = 5;
-const PATIENCE = 60000;
-export const PATIENCE_AT_REST = 300000;
+const PATIENCE = 300000;   // a machine that does much else may take a minute over a few keys
 const SENT = { move: ["mouseMoved", 0], down: ["mousePressed", 1], drag: ["mouseMoved", 1], up: ["mouseReleased", 0] };
 
 // PROGRAM [ACTIONS [SEED]] of the command line, and from which act on and on which address it begins (--first, --address).
@@ -43,10 +42,10 @@ export async function through(page, places) {
 // The same of a click.
 export const clicked = (page, place) => through(page, [place]);
 
-// Fails where a page does not answer.
-function within(answer, what, patience = PATIENCE) {
+// Fails where a page does not answer to what `what()` says.
+function within(answer, what) {
   let timer;
-  const late = new Promise((_, failed) => { timer = setTimeout(() => failed(new Error(`no answer to ${what} in ${patience / 1000} s`)), patience); });
+  const late = new Promise((_, failed) => { timer = setTimeout(() => failed(new Error(`no answer to ${what()} in ${PATIENCE / 1000} s`)), PATIENCE); });
   return Promise.race([answer, late]).finally(() => clearTimeout(timer));
 }
 
@@ -84,7 +83,7 @@ class Run {
 
   async #act(act) {
     this.hand.begin(act);
-    const name = this.hand.pick(Object.keys(this.does)), box = await this.page.locator("#sheet").boundingBox({ timeout: PATIENCE });
+    const name = this.hand.pick(Object.keys(this.does)), box = await this.page.locator("#sheet").boundingBox();
     this.done[name] = (this.done[name] ?? 0) + 1;
     this.lately = [...this.lately.slice(-15), name];
     await this.does[name](this.page, ([x, y]) => [box.x + x * box.width, box.y + y * box.height], this.file);
@@ -93,9 +92,9 @@ class Run {
   async #acts() {
     for (let act = this.first; act < this.first + this.actions && !this.faults.length; ++act) {
       this.at = act;
-      if (act === this.first || act % BLOCK === 1) await within(this.#beginBlock(act), "its address");
-      await within(this.#act(act), this.lately.at(-1));
-      if (act % BLOCK === 0 || act === this.first + this.actions - 1) await within(this.#endBlock(act), "rest", PATIENCE_AT_REST);
+      if (act === this.first || act % BLOCK === 1) await within(this.#beginBlock(act), () => "its address");
+      await within(this.#act(act), () => this.lately.at(-1));
+      if (act % BLOCK === 0 || act === this.first + this.actions - 1) await within(this.#endBlock(act), () => "rest");
     }
   }
 
@@ -108,6 +107,7 @@ class Run {
     const browser = await launch();
     Object.assign(this, await open(browser, this.file, { hash: this.address }));
     const { faults } = this;
+    this.page.setDefaultTimeout(PATIENCE);
     await this.#acts().catch((error) => faults.push(String(error.stack ?? error)));
     if (faults.length) faults.push(this.again);
     await browser.close();

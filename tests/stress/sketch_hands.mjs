@@ -1,6 +1,6 @@
 // What random hands do to the page of `cognate sketch` in headless Chromium:
 //   BROWSER_PACKAGES=$PWD/build/release/tests/browser/npm node tests/stress/sketch_hands.mjs build/release/app/cognate [ACTIONS [SEED]]
-// Curves for four-bars and slider-cranks, poses, functions and lines, drawn, clicked, typed, dragged, turned, taken out of files and addresses, as large and as
+// Curves for four-bars, slider-cranks and both, poses, functions and lines, drawn, clicked, typed, dragged, turned, taken out of files and addresses, as large and as
 // small as can be; limits, boxes, points of the front, zoom, undoing, windows: none waits for the one before. Every hundred acts the page is opened anew, every five
 // hundred it must come to rest with designs or a sentence, the program must take its files, and its address must open as the same sketch. Messages of the console,
 // words such as NaN, and a page that does not answer end the run with 1 and the line that has it again.
@@ -9,12 +9,12 @@ import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { drawnFunctionStroke, drawnPoses, drawnStroke } from "../bench/report/drawings.mjs";
-import { act, asked, clicked, hands, PATIENCE_AT_REST, through } from "./hands.mjs";
+import { act, asked, clicked, hands, through } from "./hands.mjs";
 
 const run = asked(), hand = hands(run.seed), { random, pick } = hand;
 
 const KEYS = ["1", "2", "3", "c", "x", "p", "r", "o", "m", "z", "y", "w", "a", "s", "d", "f", "+", "-", "0", " ", "Enter", "Delete", "Tab", "ArrowLeft", "Shift+ArrowUp", "Control+z", "Control+Shift+z", "Escape"];
-const KINDS = ["of-curve", "of-poses", "of-function", "of-line", "by-four-bar", "by-slider"];
+const KINDS = ["of-curve", "of-poses", "of-function", "of-line", "by-four-bar", "by-slider", "by-both"];
 const EXPRESSIONS = ["x", "x^2", "log10(x)", "sin(3*x)", "1/x", "sqrt(x", "abs(x - 1)", "0", "", "1e308*x", "x^x", "(((((x)))))", "ü", "x".repeat(5000)];
 
 // Coordinates as addresses may have them.
@@ -27,7 +27,7 @@ const rowsOf = (width) => {
 const addressOf = () => {
   const rows = rowsOf(pick([2, 2, 2, 3])), inputs = rows.map(([x]) => 90 * Math.abs(Math.sin(x))).sort((a, b) => a - b);
   const drawn = { pairs: `p=${inputs.map((x) => `${x},${60 * random()}`).join(";")}&f=90,60`, points: `p=${rows.map((row) => row.join(",")).join(";")}` };
-  const parts = [pick([drawn.points, drawn.points, drawn.pairs]), `o=${pick(["open", "closed"])},${pick(["stroke", "points"])}${pick(["", ",slider", ",line"])}`,
+  const parts = [pick([drawn.points, drawn.points, drawn.pairs]), `o=${pick(["open", "closed"])},${pick(["stroke", "points"])}${pick(["", ",slider", ",both", ",line"])}`,
     `l=${pick(["any", "crank-rocker", "triple-rocker", "none"])},${pick([0, 30, 70, 1000, -5, "x"])},${pick([1, 3, 10, 1e9, 0, ""])}`, pick(["", "b=-20,-20,20,20", "c=-5,-5,5,5", "b=0,0,0,0", "c=1,2", `b=${listOf(4, far).join(",")}`]), pick(["", "zh", "d=1,2,3", "f=1", "d=;;;", "%"])];
   return `#${parts.filter((part) => part && random() < 0.9).join("&")}`;
 };
@@ -123,7 +123,7 @@ const ready = (page) => page.locator("#of-curve[aria-pressed]").waitFor();
 
 // No search goes on, nor that of the front.
 const searched = (page) => page.waitForFunction(() => !/…$/.test(document.getElementById("state").textContent)
-  && (document.getElementById("front").hidden || !/^(Follows|Searching)/.test(document.getElementById("front-note").textContent)), null, { timeout: PATIENCE_AT_REST });
+  && (document.getElementById("front").hidden || !/^(Follows|Searching)/.test(document.getElementById("front-note").textContent)));
 
 // What the page gives away as a file is one that the program takes.
 async function assertTakes(page, name, command) {

@@ -6,9 +6,9 @@ import { withoutRounding } from "../rounding.js";
 import { turnsFully } from "./boxes.js";
 import { generatorOf, generatorText } from "./generator_text.js";
 import { areSound } from "./pairs.js";
-import { ANY_SPEED } from "./question.js";
+import { ANY_SPEED, isSlider } from "./question.js";
 import { inTurn } from "./posed.js";
-import { sliderOf, sliderText } from "./slider_text.js";
+import { isFourBarText, sliderOf, sliderText } from "./slider_text.js";
 import { FARTHEST } from "./stroke.js";
 
 const PLACES_OF_LINE = 3;
@@ -39,8 +39,8 @@ function designOf(text, straight) {
 }
 
 // How a design stands in the address, by the kind of its drawing.
-const textOf = ({ ranges, slides }, entry) => (ranges ? generatorText : slides ? sliderText : designText)(entry);
-const entryOf = ({ ranges, slides, straight }, text, rows) => (ranges ? generatorOf(text, rows) : slides ? sliderOf(text) : designOf(text, straight));
+const textOf = ({ ranges }, entry) => (ranges ? generatorText : isSlider(entry) ? sliderText : designText)(entry);
+const entryOf = ({ ranges, slides, both, straight }, text, rows) => (ranges ? generatorOf(text, rows) : slides && !(both && isFourBarText(text)) ? sliderOf(text) : designOf(text, straight));
 
 // Whether a design is one for as many targets, of the same kind; generators are for any pairs, and a line has three places.
 const isFor = ({ points, angles, straight }, { crank_deg: cranks, body_angle_deg: body, direction_deg: direction }) => cranks.length === (straight ? PLACES_OF_LINE : points.length)
@@ -69,9 +69,9 @@ function typedIn(text = "") {
 
 // What stands behind the # for a state and, perhaps, the entry of a design.
 export function addressOf(state, entry) {
-  const { points, angles, ranges, typed, closed, stroke, slides, straight, class: asked, least, reach, even, region, obstacle } = state;
+  const { points, angles, ranges, typed, closed, stroke, slides, both, straight, class: asked, least, reach, even, region, obstacle } = state;
   const parts = [...location.hash.slice(1).split("&").filter((part) => LANGUAGES.includes(part)), `p=${points.map((p, i) => [...p, ...(angles ? [angles[i]] : [])].join(",")).join(";")}`,
-    `o=${[closed ? "closed" : "open", stroke ? "stroke" : "points", ...(slides ? ["slider"] : straight ? ["line"] : [])].join(",")}`, `l=${[asked, least, reach, ...(straight && even < ANY_SPEED ? [even] : [])].join(",")}`, ...(ranges ? [`f=${ranges.join(",")}`] : []), ...typedPart(typed), ...boxPart("b", region), ...boxPart("c", obstacle)];
+    `o=${[closed ? "closed" : "open", stroke ? "stroke" : "points", ...(slides ? [both ? "both" : "slider"] : straight ? ["line"] : [])].join(",")}`, `l=${[asked, least, reach, ...(straight && even < ANY_SPEED ? [even] : [])].join(",")}`, ...(ranges ? [`f=${ranges.join(",")}`] : []), ...typedPart(typed), ...boxPart("b", region), ...boxPart("c", obstacle)];
   return `#${[...parts, ...(entry ? [`d=${textOf(state, entry)}`] : [])].join("&")}`;
 }
 
@@ -86,10 +86,10 @@ export function readAddress(classes) {
   if (![2, 3].includes(width) || !rows.every((row) => row.length === width && arePlaces(row))) return null;
   const ranges = parts.f ? numbersOf(parts.f) : null;
   if (ranges && !(width === 2 && ranges.length === 2 && areFinite(ranges) && areSound(rows, ranges))) return null;
-  const slides = by === "slider" && width === 2 && !ranges;
+  const slides = ["slider", "both"].includes(by) && width === 2 && !ranges;
   const straight = by === "line" && width === 2 && rows.length <= 2 && !ranges;
   const region = boxIn(parts.b), held = boxIn(parts.c), isArea = held && held[0].every((x, k) => x < held[1][k]);
-  const state = { ranges, typed: ranges && typedIn(parts.x), slides, straight, region: ranges || straight ? null : region, obstacle: isArea && !ranges && !slides && !straight && turnsFully({ class: asked }) ? held : null, points: rows.map((row) => row.slice(0, 2)), angles: width === 3 ? rows.map((row) => inTurn(row[2])) : null, closed: line === "closed", stroke: drawn === "stroke", ...(classes.includes(asked) && !slides ? { class: asked } : {}),
+  const state = { ranges, typed: ranges && typedIn(parts.x), slides, both: slides && by === "both", straight, region: ranges || straight ? null : region, obstacle: isArea && !ranges && !slides && !straight && turnsFully({ class: asked }) ? held : null, points: rows.map((row) => row.slice(0, 2)), angles: width === 3 ? rows.map((row) => inTurn(row[2])) : null, closed: line === "closed", stroke: drawn === "stroke", ...(classes.includes(asked) && !slides ? { class: asked } : {}),
     ...(isWithin(least, LEAST) ? { least: Number(least) } : {}), ...(isWithin(reach, REACH) ? { reach: Number(reach) } : {}), ...(straight && isWithin(even, EVEN) ? { even: Number(even) } : {}) };
   const entry = parts.d ? entryOf(state, parts.d, rows) : null;
   return { state, entry: entry && (ranges || isFor(state, entry)) ? entry : null };

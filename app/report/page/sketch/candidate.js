@@ -52,17 +52,21 @@ export class Candidate {
 
   get dimensions() { return [...this.pivots.flat(), ...this.linkage.lengths]; }
 
-  // Whether both are the same linkage to the eye, of a drawing of `size`.
+  // Whether both are the same mechanism to the eye, of a drawing of `size`.
   isLike(other, size) {
     const own = this.dimensions;
+    if (!areOfType(this, other)) return false;
     const areMany = this.isStraight || [this, other].every(({ entry }) => withoutNoise(entry.rms, size) === 0);
     return other.dimensions.every((x, i) => Math.abs(x - own[i]) <= (areMany ? ALIKE_IF_MET : ALIKE) * size);
   }
 }
 
-// The number of the one out of `candidates` that is nearest to `one`.
+// Whether the dimensions of two can be compared.
+const areOfType = (one, other) => one.entry.mechanism.type === other.entry.mechanism.type;
+
+// The number of the one out of `candidates` that is nearest to `one`; the first where none is of its kind.
 export function nearestTo(candidates, one) {
-  const far = candidates.map(({ dimensions }) => Math.max(...dimensions.map((x, i) => Math.abs(x - one.dimensions[i]))));
+  const far = candidates.map((other) => (areOfType(other, one) ? Math.max(...other.dimensions.map((x, i) => Math.abs(x - one.dimensions[i]))) : Infinity));
   return far.indexOf(Math.min(...far));
 }
 

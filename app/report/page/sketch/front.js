@@ -1,7 +1,7 @@
 // A front: how small the error of a drawing can be for each lower bound of the transmission angle, and by which design.
 
 import { withoutNoise } from "./candidate.js";
-import { drawingSize, questionFrom } from "./question.js";
+import { drawingSize, kindsOf, questionFrom, suits } from "./question.js";
 
 const LEVELS = [10, 20, 30, 40, 50, 60, 70];
 // What is searched for in turn: for each level from its neighbours, so that there soon is a front, then anew, and once more from
@@ -15,7 +15,7 @@ const ANGLE_ROUNDING = 1e-6;   // degrees
 const angleOf = ({ entry }) => entry.transmission_acute_min_deg;
 
 // What a front depends on: all of the state but the bound that it varies.
-const ground = ({ points, angles, ranges, closed, slides, straight, class: asked, reach, even, region, obstacle }) => JSON.stringify([points, angles, ranges, slides && [slides, closed], straight && [even], asked, reach, region, obstacle]);
+const ground = ({ points, angles, ranges, closed, slides, both, straight, class: asked, reach, even, region, obstacle }) => JSON.stringify([points, angles, ranges, slides && [both, closed], straight && [even], asked, reach, region, obstacle]);
 
 export class Front {
   constructor() { Object.assign(this, { ground: null, pool: [], done: 0, size: 1, least: LEVELS[0] }); }
@@ -43,7 +43,7 @@ export class Front {
   // The next question, until it has ended.
   get question() {
     const { i, fresh } = SEARCHES[this.done];
-    const neighbours = [i - 1, i, i + 1].map((k) => this.#best(LEVELS[k])).filter(Boolean);
+    const neighbours = kindsOf(this.state).flatMap((kind) => [i - 1, i, i + 1].map((k) => this.#best(LEVELS[k], kind))).filter(Boolean);
     const state = { ...this.state, least: LEVELS[i] };
     return { ...questionFrom(state, [...new Set(neighbours)], fresh), front: true };
   }
@@ -56,8 +56,9 @@ export class Front {
 
   #error({ entry }) { return withoutNoise(entry.rms, this.size); }
 
-  #best(level) {
-    return this.within(level).sort((a, b) => this.#error(a) - this.#error(b) || angleOf(b) - angleOf(a))[0];
+  // Of the mechanisms that `state` asks for.
+  #best(level, state = this.state) {
+    return this.within(level).filter(({ entry }) => suits(entry, state)).sort((a, b) => this.#error(a) - this.#error(b) || angleOf(b) - angleOf(a))[0];
   }
 
   // The designs within a bound.

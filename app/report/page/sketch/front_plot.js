@@ -15,10 +15,12 @@ export class FrontPlot {
   // `on.point(point)`: the one looked at, null where none is or the design chosen; `on.take(point)`; `textOf(point)` says its values.
   constructor(on, textOf) {
     Object.assign(this, { on, textOf, holder: byId("front-plot"), front: { points: [] }, hinted: null, drawn: [], circles: [] });
+    [this.back, this.marks] = [svg("g"), svg("g")];
+    this.picture = svg("svg", { role: "group", "aria-labelledby": "front-title" }, this.back, this.marks);
     this.holder.addEventListener("pointermove", (event) => this.#hint(this.#nearest(event)));
     this.holder.addEventListener("pointerleave", () => this.#hint(this.#focused));
     this.holder.addEventListener("click", (event) => this.#take(this.#nearest(event)));
-    this.holder.addEventListener("focusin", () => this.#hint(this.#focused));
+    this.holder.addEventListener("focusin", () => { this.#reachable(this.#focused); this.#hint(this.#focused); });
     this.holder.addEventListener("focusout", () => this.#hint(null));
     this.holder.addEventListener("keydown", (event) => this.#key(event));
     new ResizeObserver(() => this.#draw()).observe(this.holder);
@@ -36,10 +38,16 @@ export class FrontPlot {
   #draw() {
     // Its width, which costs a layout of the page, is asked for where there is something to draw.
     const { points } = this.front, width = points.length && this.holder.clientWidth, { hinted } = this, focused = this.#focused;
-    Object.assign(this, { drawn: points, circles: [] });
-    if (width) this.#build(points, width); else this.holder.replaceChildren();
-    if (focused) this.circles[points.indexOf(points.find(({ level }) => level >= focused.level) ?? points.at(-1))]?.focus({ preventScroll: true });
-    this.#hint(points.find(({ level }) => level === hinted?.level) ?? null);
+    if (width) this.#build(points, width); else this.#empty();
+    if (focused && !this.#focused) this.#focus(points.find(({ level }) => level >= focused.level) ?? points.at(-1));
+    this.#reachable(this.#focused ?? this.#chosenOrFirst);
+    this.#hint(points.find(({ level }) => level === hinted?.level) ?? this.#focused);
+  }
+
+  #empty() {
+    Object.assign(this, { drawn: [], circles: [] });
+    this.marks.replaceChildren();
+    this.picture.remove();
   }
 
   #build(points, width) {
@@ -47,13 +55,23 @@ export class FrontPlot {
     const all = chosen && !points.some((point) => this.#isChosen(point)) ? [...points, chosen] : points;
     const x = angleScale([FRAME.left, right]), y = errorScale(all.map(({ error }) => error), [bottom, FRAME.top]);
     this.places = all.map(({ angle, error }) => [x.to(angle), y.to(error)].map(round));
-    this.circles = points.map((point, i) => this.#circle(point, this.places[i]));
+    this.#arrange(points);
     const bound = least > 0 ? [svg("path", { class: "front-bound", d: `M${round(x.to(least))} ${FRAME.top}V${bottom}` })] : [];
     const line = svg("path", { class: "front-line", d: pathThrough(this.places.slice(0, points.length)) });
     const apart = this.places.slice(points.length).map(([cx, cy]) => svg("circle", { class: "front-apart", cx, cy, r: 5 }));
-    const look = { viewBox: `0 0 ${width} ${HEIGHT}`, width, height: HEIGHT, role: "group", "aria-labelledby": "front-title" };
-    this.holder.replaceChildren(svg("svg", look, ...this.#axes(x, y, bottom, right), ...bound, line, ...apart, ...this.circles));
-    this.#reachable(this.#chosenOrFirst());
+    this.back.replaceChildren(...this.#axes(x, y, bottom, right), ...bound, line, ...apart);
+    set(this.picture, { viewBox: `0 0 ${width} ${HEIGHT}`, width, height: HEIGHT });
+    if (!this.picture.isConnected) this.holder.append(this.picture);
+  }
+
+  // A circle stays the same, with the focus, as long as there is a point of its level.
+  #arrange(points) {
+    const before = new Map(this.drawn.map(({ level }, i) => [level, this.circles[i]]));
+    const circles = points.map(({ level }) => before.get(level) ?? svg("circle", { class: "front-point", role: "button", tabindex: -1 }));
+    for (const circle of this.circles) if (!circles.includes(circle)) circle.remove();
+    circles.forEach((circle, i) => { if (this.marks.children[i] !== circle) this.marks.insertBefore(circle, this.marks.children[i] ?? null); });
+    Object.assign(this, { drawn: points, circles });
+    points.forEach((point, i) => this.#mark(circles[i], point, this.places[i]));
   }
 
   #axes(x, y, bottom, right) {
@@ -65,10 +83,10 @@ export class FrontPlot {
       text("axis", { transform: `translate(12 ${(bottom + FRAME.top) / 2}) rotate(-90)` }, "middle", say(this.front.axis))];
   }
 
-  #circle(point, [cx, cy]) {
+  #mark(circle, point, [cx, cy]) {
     const isChosen = this.#isChosen(point);
     const facts = { "data-level": point.level, "data-angle": point.angle, "data-error": point.error };
-    return svg("circle", { class: "front-point", cx, cy, r: isChosen ? 6.5 : 5, role: "button", "aria-pressed": String(isChosen), "aria-label": this.textOf(point), ...facts });
+    set(circle, { cx, cy, r: isChosen ? 6.5 : 5, "aria-pressed": String(isChosen), "aria-label": this.textOf(point), ...facts });
   }
 
   // Searches find a design more than once, with other last digits.
@@ -77,10 +95,12 @@ export class FrontPlot {
     return Boolean(chosen) && Math.abs(angle - chosen.angle) < SAME_ANGLE && Math.abs(error - chosen.error) <= SAME_ERROR * error;
   }
 
-  #chosenOrFirst() { return Math.max(0, this.drawn.findIndex((point) => this.#isChosen(point))); }
+  get #chosenOrFirst() { return this.drawn.find((point) => this.#isChosen(point)) ?? this.drawn[0]; }
+
+  #focus(point) { this.circles[this.drawn.indexOf(point)]?.focus({ preventScroll: true }); }
 
   // One of the points is in the order of the Tab key; arrows go on from it.
-  #reachable(i) { this.circles.forEach((circle, k) => set(circle, { tabindex: k === i ? 0 : -1 })); }
+  #reachable(point) { this.circles.forEach((circle, i) => set(circle, { tabindex: this.drawn[i] === point ? 0 : -1 })); }
 
   #nearest(event) {
     const box = this.holder.getBoundingClientRect();
@@ -97,17 +117,14 @@ export class FrontPlot {
   #take(point) {
     if (!point) return;
     this.on.take(point);
-    this.circles[this.#chosenOrFirst()]?.focus({ preventScroll: true });
+    this.#focus(this.#chosenOrFirst);
   }
 
   #key(event) {
     if (event.ctrlKey || event.altKey || event.metaKey || !this.#focused) return;
     const step = ARROWS[event.key], at = this.circles.indexOf(document.activeElement), last = this.circles.length - 1;
-    if (step) {
-      const next = Math.min(last, Math.max(0, at + step));
-      this.#reachable(next);
-      this.circles[next].focus();
-    } else if (["Enter", " "].includes(event.key)) this.#take(this.#focused);
+    if (step) this.circles[Math.min(last, Math.max(0, at + step))].focus();
+    else if (["Enter", " "].includes(event.key)) this.#take(this.#focused);
     else return;
     event.preventDefault();
     event.stopPropagation();

@@ -20,6 +20,7 @@ import { clearCosts, costQuestions, showCost } from "./costs.js";
 import { FrontPanel } from "./front_panel.js";
 import { onLayout } from "./layout.js";
 import { Leader } from "./leader.js";
+import { Mechanisms } from "./mechanisms.js";
 import { modeOf, MODES } from "./modes.js";
 import { ANY_SPEED, CLASSES_ASKED, drawingSize, leadingQuestion, liveQuestion, questionsOf, suits } from "./question.js";
 import { SketchScene } from "./scene.js";
@@ -47,6 +48,7 @@ const search = workers && new Search(workers, take), leader = workers && new Lea
 const surface = new Surface(byId("picture"), () => scene.view, { begin: () => stop(), resume: () => solve(), box: (p, q) => boxes.put(p, q), stroke: (line) => put(modeOf(shown).stroke(shown, line)),
   click: (place, i) => put(modeOf(shown).click(shown, place, i)), drag: (i, place) => follow(modeOf(shown).moved(shown, i, place)), turn: (i, degrees) => follow({ angles: shown.angles.with(i, degrees) }), drop, remove });
 const boxes = new Boxes(surface, { state: () => shown, change, announce: (text) => announce(text), resume: () => solve() });
+const mechanisms = new Mechanisms({ state: () => shown, change });
 const typed = new Typed({ state: () => shown, change, ask: (question) => search?.ask([question]), forget: forgetTyped, announce: (text) => announce(text) });
 const read = readAddress(CLASSES_ASKED);
 let steps = new History({ ...EMPTY, ...read?.state });
@@ -200,10 +202,11 @@ function settle() {
 // Designs of another kind of drawing cannot be drawn in this one, nor those of its front that a hand looks at.
 function leaveOthers() {
   scene.targets = shown;
-  if ([...scene.candidates, ...(scene.looked ? [scene.looked] : [])].every(({ entry }) => suits(entry, shown))) return;
-  Object.assign(scene, { candidates: [], looked: null });
+  const { candidates, looked } = scene, own = candidates.filter(({ entry }) => suits(entry, shown));
+  if (own.length === candidates.length && (!looked || suits(looked.entry, shown))) return;
+  Object.assign(scene, { candidates: own, looked: null });
   panel.follow(null);
-  offer([], 0);
+  offer(own, Math.max(0, own.indexOf(candidates[scene.chosen])));
 }
 
 function askForMore() {
@@ -213,15 +216,13 @@ function askForMore() {
 }
 
 function showState() {
-  const { points, ranges, closed, slides, class: asked, least, reach, even } = shown, mode = modeOf(shown);
+  const { points, ranges, closed, class: asked, least, reach, even } = shown, mode = modeOf(shown);
   byId("undo").disabled = !steps.canUndo;
   byId("redo").disabled = !steps.canRedo;
   byId("clear").disabled = points.length === 0;
   byId("closed").setAttribute("aria-pressed", String(closed));
   document.body.dataset.drawing = mode.name;
-  document.body.toggleAttribute("data-sliding", slides);
-  byId("by-four-bar").setAttribute("aria-pressed", String(!slides));
-  byId("by-slider").setAttribute("aria-pressed", String(slides));
+  mechanisms.show();
   for (const name of Object.keys(MODES)) byId(`of-${name}`).setAttribute("aria-pressed", String(name === mode.name));
   byId("hint").hidden = points.length > 0;
   byId("hint").textContent = say(mode.hint);
@@ -302,17 +303,12 @@ const limits = () => ({ class: shown.class, least: shown.least, reach: shown.rea
 // What is drawn from now on; what there was of another kind goes.
 function drawAnother(mode) { if (mode !== modeOf(shown)) change({ ...limits(), ...mode.empty({}) }); }
 
-// Which mechanisms are searched for; limits that the others alone have go.
-function searchFor(slides) { if (slides !== shown.slides && modeOf(shown).canSlide) change(slides ? { slides, class: "any", obstacle: null } : { slides }); }
-
 function listen() {
   byId("undo").addEventListener("click", () => step("undo"));
   byId("redo").addEventListener("click", () => step("redo"));
   byId("clear").addEventListener("click", clear);
   byId("closed").addEventListener("click", toggleClosed);
   for (const [name, mode] of Object.entries(MODES)) byId(`of-${name}`).addEventListener("click", () => drawAnother(mode));
-  byId("by-four-bar").addEventListener("click", () => searchFor(false));
-  byId("by-slider").addEventListener("click", () => searchFor(true));
   byId("class").append(...CLASSES_ASKED.map((name) => element("option", { value: name }, name === "any" ? say("sketch.any_class") : sentence(term(name)))));
   byId("class").addEventListener("change", (event) => change(withClass(event.target.value)));
   const sliders = ["least", "reach", "even"];
@@ -325,7 +321,7 @@ function listen() {
   new ResizeObserver(draw).observe(byId("picture"));
   new Zoom(byId("stage"), byId("picture"), () => scene, draw);
   new Saves(byId("stage"), byId("picture"), { title: () => "sketch", go: (share) => goTo(filmed([0, 360, true], share), true), back: () => goTo(0) });
-  new Bringings(byId("stage"), { curve: (line) => change({ ...EMPTY, ...limits(), slides: shown.slides, ...strokeTargets(line), stroke: true }), picture: (picture) => { scene.picture = picture; draw(); }, fault: announce });
+  new Bringings(byId("stage"), { curve: (line) => change({ ...MODES.curve.empty(shown), ...limits(), ...strokeTargets(line), stroke: true }), picture: (picture) => { scene.picture = picture; draw(); }, fault: announce });
   addEventListener("hashchange", openAddress);
   onLayout(layAnew);
 }
@@ -338,7 +334,7 @@ function listenToKeys() {
   shortcut(["r"], "r", "sketch.region", () => boxes.toggle("region"));
   shortcut(["o"], "o", "sketch.obstacle", () => { if (!shown.slides) boxes.toggle("obstacle"); });
   shortcut(["p"], "p", "sketch.another_kind", () => drawAnother(modeOf(shown).next()));
-  shortcut(["m"], "m", "sketch.other_mechanism", () => searchFor(!shown.slides));
+  shortcut(["m"], "m", "sketch.other_mechanism", () => mechanisms.next());
   shortcut(["1", "2", "3"], "1 2 3", "sketch.choose", (event) => choose(Number(event.key) - 1));
   shortcut(["Enter"], "Enter", "sketch.put");
   shortcut(["Delete"], "Delete", "sketch.remove");

@@ -11,7 +11,7 @@ import { placedOn, SHORTEST_LINE } from "./ruled.js";
 import { rounded, strokeTargets } from "./stroke.js";
 
 const FIRST_RANGES = [90, 60];
-const NOTHING = { points: [], angles: null, ranges: null, typed: null, closed: false, stroke: false, slides: false, straight: false };
+const NOTHING = { points: [], angles: null, ranges: null, typed: null, closed: false, stroke: false, slides: false, both: false, straight: false };
 
 const posed = ({ points, angles }, place, degrees) => ({ points: [...points, rounded(place)], angles: [...angles, degrees] });
 
@@ -22,7 +22,7 @@ const isLine = ([p, q]) => Math.hypot(q[0] - p[0], q[1] - p[1]) >= SHORTEST_LINE
 // null where that is nothing; a design that was found.
 const CURVE = {
   name: "curve", fewest: 3, hint: "sketch.hint", more: "sketch.more_points", title: "sketch.title_of_file", times: "sketch.times", next: () => POSES, canSlide: true,
-  empty: ({ slides = false }) => ({ ...NOTHING, slides }),
+  empty: ({ slides = false, both = false }) => ({ ...NOTHING, slides, both }),
   places: ({ points }) => points,
   label: (_, i) => say("sketch.point", { name: i + 1 }),
   stroke: (_, line) => ({ ...strokeTargets(line), stroke: true }),

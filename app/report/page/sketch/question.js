@@ -33,6 +33,9 @@ export const drawingSize = ({ points, angles, ranges }) => (ranges ? Math.abs(ra
 export const short = (x) => Number(x.toPrecision(4));
 const precise = (x) => Number(x.toPrecision(9));
 
+// A state for each kind of mechanism that is searched for: where `both` are, one for four-bars and one for slider-cranks.
+export const kindsOf = (state) => (state.both ? [false, true].map((slides) => ({ ...state, slides, both: false })) : [state]);
+
 // Where the fixed pivots may stand, low and high corner: as the hand says, or not far from the drawing.
 function pivotsWithin({ points, region, reach }, size) {
   if (region) return region;
@@ -92,7 +95,7 @@ function targetsOf({ points, angles, ranges, closed, slides, straight }) {
   return angles ? guiding(points, angles) : tracing(points);
 }
 
-// The problem of a sketch: its points, poses or pairs, and the limits set beside it.
+// The problem of a sketch for one kind of mechanism: its points, poses or pairs, and the limits set beside it.
 export const problemOf = (state, solve) => ({ ...targetsOf(state), ...limitsOf(state), solve });
 
 // A design as the search takes it up: see read_known and read_generators in the kernel.
@@ -103,11 +106,14 @@ const asKnownSlider = ({ mechanism: m, crank_deg: cranks }) =>
 const asKnownGenerator = ({ mechanism: m, input_start_deg: input, output_start_deg: output }) =>
   [m.crank, m.coupler, m.rocker, Math.hypot(...m.fixed_pivots[1].map((x, k) => x - m.fixed_pivots[0][k])), m.assembly === "open" ? 1 : 0, input, output];
 
-const isSlider = ({ mechanism }) => mechanism.type === "slider-crank";
+export const isSlider = ({ mechanism }) => mechanism.type === "slider-crank";
 
-// Whether a design is a mechanism of the same kind for targets of the same kind.
-export const suits = (entry, { angles, ranges, slides, straight }) => isSlider(entry) === Boolean(slides)
+// Whether a design is a mechanism of a kind that is searched for, for targets of the same kind.
+export const suits = (entry, { angles, ranges, slides, both, straight }) => (both || isSlider(entry) === Boolean(slides))
   && [[entry.input_start_deg, ranges], [entry.body_angle_deg, angles], [entry.direction_deg, straight]].every(([own, asked]) => (own !== undefined) === Boolean(asked));
+
+// That state of `kindsOf` which a design is of; without a design the first.
+export const kindOf = (state, entry) => kindsOf(state).find((kind) => entry && suits(entry, kind)) ?? kindsOf(state)[0];
 
 // Of the designs shown those that suit and, but for functions, are for as many targets.
 function knownOf(state, candidates) {
@@ -118,24 +124,33 @@ function knownOf(state, candidates) {
 
 // The question of the design that leads while a hand drags, from what it was; null where it has no place to begin at.
 export function leadingQuestion(state, candidate) {
-  const known = knownOf(state, [candidate]);
-  return known.length ? { problem: { ...problemOf(state, { designs: 1 }), known_alone: true }, known } : null;
+  const kind = kindOf(state, candidate.entry), known = knownOf(kind, [candidate]);
+  return known.length ? { problem: { ...problemOf(kind, { designs: 1 }), known_alone: true }, known } : null;
+}
+
+// One question about all kinds of mechanisms: `ask(state)` gives {problem, known} of each, `others` are those after the first.
+function together(state, ask) {
+  const [question, ...others] = kindsOf(state).map(ask);
+  return { ...question, others };
 }
 
 // The question while a hand still drags: from designs that were shown, if there are any.
 export function liveQuestion(state, candidates) {
-  const known = knownOf(state, candidates).slice(0, mostKnown(state));
-  return { problem: problemOf(state, { starts: known.length ? besideKnown(state) : startsOf(state)[0], designs: foundFor(state) }), known, live: true, first: true, last: true };
+  const ask = (kind) => {
+    const known = knownOf(kind, candidates).slice(0, mostKnown(kind));
+    return { problem: problemOf(kind, { starts: known.length ? besideKnown(kind) : startsOf(kind)[0], designs: foundFor(kind) }), known };
+  };
+  return { ...together(state, ask), live: true, first: true, last: true };
 }
 
 // The question from designs that were found for other limits: of a search of middle length, or of as good as none besides.
-export const questionFrom = (state, candidates, fresh) => ({ problem: problemOf(state, { starts: fresh ? middleOf(state) : besideKnown(state), designs: foundFor(state) }), known: knownOf(state, candidates) });
+export const questionFrom = (state, candidates, fresh) => together(state, (kind) => ({ problem: problemOf(kind, { starts: fresh ? middleOf(kind) : besideKnown(kind), designs: foundFor(kind) }), known: knownOf(kind, candidates) }));
 
 // One question, of a search of middle length.
-export const questionFor = (state) => ({ problem: problemOf(state, { starts: middleOf(state), designs: foundFor(state) }) });
+export const questionFor = (state) => together(state, (kind) => ({ problem: problemOf(kind, { starts: middleOf(kind), designs: foundFor(kind) }) }));
 
-// The questions for a drawing at rest.
+// The questions for a drawing at rest: searches of more and more starts, each for one kind of mechanism after the other.
 export function questionsOf(state, candidates) {
-  const rounds = startsOf(state);
-  return rounds.map((starts, i) => ({ problem: problemOf(state, { starts, designs: foundFor(state) }), known: i ? [] : knownOf(state, candidates), first: i === 0, last: i === rounds.length - 1 }));
+  const searches = startsOf(state).flatMap((starts, round) => kindsOf(state).map((kind) => ({ problem: problemOf(kind, { starts, designs: foundFor(kind) }), known: round ? [] : knownOf(kind, candidates) })));
+  return searches.map((search, i) => ({ ...search, first: i === 0, last: i === searches.length - 1 }));
 }

@@ -3,10 +3,15 @@
 
 import { ask } from "./worker.js";
 
+// A question of several problems as one for each; the answer to the last of them holds what was found for all.
+const oneByOne = ({ others = [], ...question }) => [...others.map((other) => ({ ...other, isPart: true, live: question.live })), question];
+
+const joined = (before, answer = {}) => ({ ...before, ...answer, ...(before.designs ? { designs: [...before.designs, ...(answer.designs ?? [])] } : {}) });
+
 export class Search {
   // `onAnswer(answer, asked)`: of each question; where the kernel fails `workers` are told.
   constructor(workers, onAnswer) {
-    Object.assign(this, { workers, onAnswer, waiting: [], next: null, last: 0 });
+    Object.assign(this, { workers, onAnswer, waiting: [], found: {}, next: null, last: 0 });
     this.spare = this.#worker();
   }
 
@@ -14,11 +19,11 @@ export class Search {
 
   #worker() { return this.workers.make((worker, data) => this.#take(worker, data)); }
 
-  // Answers the questions [{problem, known, …}] in turn, `known` being designs to begin with, if any; what was asked before
-  // is given up.
+  // Answers the questions [{problem, known, others, …}] in turn, `known` being designs to begin with, if any, `others` further problems
+  // {problem, known} that are answered with it; what was asked before is given up.
   ask(questions) {
     this.cancel();
-    this.waiting = questions.map((question) => ({ ...question, id: ++this.last }));
+    this.waiting = questions.flatMap(oneByOne).map((question) => ({ ...question, id: ++this.last }));
     this.worker ??= this.#takeSpare();
     for (const question of this.waiting) ask(this.worker, question);
   }
@@ -36,7 +41,7 @@ export class Search {
   }
 
   cancel() {
-    this.next = null;
+    Object.assign(this, { next: null, found: {} });
     if (!this.busy) return;
     this.worker?.terminate();
     Object.assign(this, { worker: null, waiting: [] });
@@ -47,9 +52,11 @@ export class Search {
     const [asked] = this.waiting;
     if (worker !== this.worker || asked?.id !== id) return;
     this.waiting.shift();
+    const found = joined(this.found, answer);
+    this.found = asked.isPart ? found : {};
     // The next is searched for while the page draws the answer.
-    if (this.next) this.ask([this.next]);
-    if (failure) this.workers.onFailure(failure); else this.onAnswer(answer, asked);
+    if (this.next && !asked.isPart) this.ask([this.next]);
+    if (failure) this.workers.onFailure(failure); else if (!asked.isPart) this.onAnswer(found, asked);
     this.spare ??= this.#worker();
   }
 }

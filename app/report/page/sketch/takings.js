@@ -6,7 +6,7 @@ import { TakenText } from "../taken_text.js";
 import { problemToml } from "../toml.js";
 import { say } from "../words.js";
 import { modeOf } from "./modes.js";
-import { problemOf, short } from "./question.js";
+import { kindOf, problemOf, short } from "./question.js";
 
 const FILE_STARTS = 500;
 const FILE_DESIGNS = 3;
@@ -32,7 +32,13 @@ export class Takings {
   }
 
   get title() { return say(modeOf(this.present().state).title); }
-  get problem() { return problemToml({ title: this.title, ...problemOf(this.present().state, { starts: FILE_STARTS, designs: FILE_DESIGNS }) }); }
+
+  // A file has one kind of mechanism: that of the design.
+  get problem() {
+    const { state, candidate } = this.present();
+    return problemToml({ title: this.title, ...problemOf(kindOf(state, candidate?.entry), { starts: FILE_STARTS, designs: FILE_DESIGNS }) });
+  }
+
   get design() { return problemToml({ title: this.title, ...analysisOf(this.present().candidate) }); }
 
   // What can be taken now.
