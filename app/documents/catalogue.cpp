@@ -50,8 +50,8 @@ constexpr Metric kKindMetrics[] = {
      "misses at them and half of the way (chains, free timing)"},
     {"link_count", "1", "links of a chain, the frame among them, if their number is an objective"},
     {"transmission_NAME_min_deg", "deg",
-     "minimum of the transmission angle and its supplement of the dyad whose joint is NAME "
-     "(chains)"},
+     "minimum of the transmission angle and its supplement of the dyad whose joint is NAME, or of "
+     "the link that holds the pin NAME of a three-pin link (chains)"},
     {"topology", "", "topology of the chain of dyads, chosen among several (paths, dwells, legs)"},
     {"crank_turns_fully", "", "whether the crank can turn through a whole turn"},
     {"output", "", "the output body of mechanisms other than four-bars"},

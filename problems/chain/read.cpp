@@ -150,11 +150,10 @@ ChainPathProblem KindTraits<ChainPathProblem>::read(reading::TableReader& docume
   problem.topologies = read_topologies(document, tables, topologies(problem.mechanism), wanted);
   read_chain_constraints(tables.constraints, problem.constraints);
   read_chain_solve(tables.solve, problem.solve);
-  check_movable(tables.target, problem);
-  read_against(tables.solve, problem);
   std::ranges::any_of(problem.topologies, has_three_pin_link)
       ? read_with_three_pins(document, tables, problem)
       : read_with_dyads(document, tables, problem);
+  check_movable(tables.target, problem);
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
     table->finish();

@@ -78,7 +78,9 @@ class StructureReader {
   }
 
   int find(const std::string& name) const {
-    const auto found = std::ranges::find(topology_.lines, name, &TopologyLine::name);
+    const auto found = std::ranges::find_if(topology_.lines, [&](const TopologyLine& line) {
+      return line.name == name && is_point(line.line.type);
+    });
     return found == topology_.lines.end() ? -1 : static_cast<int>(found - topology_.lines.begin());
   }
 
@@ -124,7 +126,7 @@ class StructureReader {
     const bool closes = type == LineType::dyad;
     if (closes && is_three_pin_link(table)) return announce_three_pins(table, joins);
     if (closes) {
-      check_type(table);
+      if (!check_type(table)) return;
       refuse_name(table, "names");
     }
     const auto name = closes ? new_name(table, "new", "the dyad's inner joint")
@@ -208,15 +210,28 @@ class StructureReader {
     waiting_.push_back(std::move(part));
   }
 
-  static void check_type(TableReader& table) {
-    const auto type = table.choice<DyadType>("type");
-    if (is_slider(table)) return table.know({"length", "slide"});
-    if (!table.has("type") || type == DyadType::rrr) return;
-    if (type) {
-      table.fault("type", fmt::format("is \"{}\"; a chain is designed of RRR and RRP dyads",
-                                      to_string(*type)));
+  /// False, with a fault, for a word that is no type: what else the table has is not known then.
+  bool check_type(TableReader& table) const {
+    constexpr std::string_view kType = "type";
+    const auto type = table.has_text(kType) ? from_string<DyadType>(*table.text(kType))
+                                            : std::optional<DyadType>{};
+    if (table.has(kType) && !type) {
+      const std::array<std::string_view, 3> words{to_string(DyadType::rrr),
+                                                  to_string(DyadType::rrp), kThreePinWord};
+      table.choice_of(kType, std::span(words).first(takes_three_pins_ ? 3 : 2));
+      table.know({"joins", "new", "names", "lengths", "length", "assembly", "slide", "slides",
+                  "offset", "slot_deg"});
+      return false;
     }
-    table.know({"slide", "slides", "offset", "slot_deg", "length"});
+    if (is_slider(table)) {
+      table.know({"length", "slide"});
+    } else if (type && type != DyadType::rrr) {
+      table.fault(kType,
+                  fmt::format("is \"{}\"; a chain is designed of RRR and RRP dyads{}",
+                              to_string(*type), takes_three_pins_ ? " and three-pin links" : ""));
+      table.know({"slide", "slides", "offset", "slot_deg", "length"});
+    }
+    return true;
   }
 
   /// Points follow the dyad that their link comes with, as early as they can.
@@ -359,7 +374,15 @@ class StructureReader {
 /// Names of links are made of those of their points.
 void check_link_names(const Topology& topology, TableReader& mechanism) {
   std::vector<std::string> taken{"frame", "crank"};
-  for (const TopologyLine& line : topology.lines) taken.push_back(line.name);
+  for (const TopologyLine& line : topology.lines) {
+    if (line.name == taken[0] || line.name == taken[1]) {
+      mechanism.faults().add(
+          mechanism.where(),
+          fmt::format("a point has the name {}, which is that of a body; rename the point",
+                      in_quotes(line.name)));
+    }
+    taken.push_back(line.name);
+  }
   std::vector<std::string> links = links_of({&topology, 1}).front();
   links.erase(links.begin());  // that of the crank
   for (const std::string& link : links) {

@@ -9,6 +9,7 @@
 #include "problems/chain/places.hpp"
 #include "problems/chain/three_pin_group.hpp"
 #include "synthesis/chain/sweep.hpp"
+#include "synthesis/chain/transform.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -16,15 +17,22 @@ namespace {
 using synthesis::ChainLine;
 using synthesis::LineType;
 
-/// The points of a chain with the crank at angle 0.
-std::vector<Vec2d> points_at_start(const Topology& topology, const synthesis::ChainDesign& design) {
+/// The points of a chain with the crank at angle 0, which is computed as if its crank were of
+/// length 1: products of many lengths leave the range of numbers otherwise.
+std::vector<Vec2d> points_at_start(const Topology& topology, synthesis::ChainDesign design) {
   const auto lines = placed_lines(chain_of(topology));
+  const auto crank = std::ranges::find(lines, LineType::crank,
+                                       [](const auto& placed) { return placed.line.type; });
+  const double unit = design.parameters[static_cast<std::size_t>(crank->parameter)];
+  transform(lines, {1 / unit, 0}, {}, design.parameters);
   const std::vector<double> side(design.side.begin(), design.side.end());
   const synthesis::ChainView<double> view{lines.data(), static_cast<int>(lines.size()),
                                           design.parameters.data(), side.data()};
   synthesis::ChainPlace<double> place;
   synthesis::place_lines<synthesis::Kept::nothing>(view, Vec2d{1, 0}, place);
-  return {place.at, place.at + lines.size()};
+  std::vector<Vec2d> points(place.at, place.at + lines.size());
+  for (Vec2d& point : points) point = unit * point;
+  return points;
 }
 
 /// Adds the parts of a mechanism line by line.

@@ -17,12 +17,11 @@ class WantedPoints {
       : topology_(topology), tables_(tables), wanted_(wanted), places_(chain_of(topology).lines) {}
 
   void choose() {
-    const std::string last = tables_.parts.points.empty()
-                                 ? *tables_.parts.dyads.back().text("new")
-                                 : *tables_.parts.points.back().text("name");
-    names_ = wanted_.points.empty() ? std::vector{last} : wanted_.points;
+    names_ = wanted_.points.empty() ? std::vector{last_point()} : wanted_.points;
     for (const std::string& name : names_) {
-      const auto found = std::ranges::find(topology_.lines, name, &TopologyLine::name);
+      const auto found = std::ranges::find_if(topology_.lines, [&](const TopologyLine& line) {
+        return line.name == name && is_point(line.line.type);
+      });
       if (found == topology_.lines.end()) {
         return tables_.target.fault(
             wanted_.key, fmt::format("is {}, which is no point of the chain; expected one of {}",
@@ -90,15 +89,28 @@ class WantedPoints {
                     names_[0], names_[1], what));
   }
 
+  /// The last `[[point]]`; without one the last joint.
+  std::string last_point() const {
+    if (!tables_.parts.points.empty()) return *tables_.parts.points.back().text("name");
+    return std::ranges::find_if(topology_.lines.rbegin(), topology_.lines.rend(),
+                                [](const TopologyLine& line) { return is_point(line.line.type); })
+        ->name;
+  }
+
+  /// The lines of a three-pin link, of which `last` is the last: it stands as a whole.
+  static void count_together(std::vector<bool>& counts, std::size_t last) {
+    const auto from = counts.begin() + static_cast<std::ptrdiff_t>(last) - synthesis::kThirdPin;
+    const auto to = counts.begin() + static_cast<std::ptrdiff_t>(last) + 1;
+    if (std::find(from, to, true) != to) std::fill(from, to, true);
+  }
+
   /// The lines on which those wanted depend.
   std::vector<bool> those_that_count() const {
     std::vector<bool> counts(topology_.lines.size());
     for (const int line : lines_) counts[static_cast<std::size_t>(line)] = true;
     for (std::size_t i = topology_.lines.size(); i-- > 0;) {
       const synthesis::ChainLine& line = topology_.lines[i].line;
-      if (counts[i] && line.type == synthesis::LineType::second_pin) {
-        counts[i + 1] = counts[i - synthesis::kSecondPin] = true;  // the link stands as a whole
-      }
+      if (line.type == synthesis::LineType::third_pin) count_together(counts, i);
       for (const int before : {line.first, line.second}) {
         if (counts[i] && before >= 0) counts[static_cast<std::size_t>(before)] = true;
       }

@@ -147,6 +147,35 @@ class Found(unittest.TestCase):
         self.assertIsNotNone(best["error"]["rms"])
 
 
+    def test_points_of_every_link_and_joints_are_traced(self):
+        text = problem(target(1, 3), "chain") + CHAIN.replace(
+            '["B", "E", "G"]', '["B", "D", "G"]').replace("""[[dyad]]
+joins = ["B", "D"]
+new = "C"
+[[point]]
+name = "E"
+on = ["B", "C"]
+""", "")
+        for on in (["B", "K"], ["D", "L"], ["G", "M"], ["K", "L"], ["L", "M"]):
+            named = text.replace('on = ["K", "L"]', f"on = {json.dumps(on)}")
+            self.assertEqual(run(named, command="check").returncode, 0, on)
+        bare = text[:text.index('[[point]]\nname = "T"')]
+        for point in ("", '\npoint = "K"', '\npoint = "M"'):
+            chosen = bare.replace("closed = true", "closed = true" + point)
+            self.assertEqual(run(chosen, command="check").returncode, 0, point)
+        hung = bare + """[[dyad]]
+joins = ["K", "A"]
+new = "N"
+"""
+        self.assertEqual(run(hung, command="check").returncode, 0)
+
+    def test_size_does_not_matter(self):
+        points = target(1, 3)
+        text = problem([1e60 * p for p in points], "three-pin-1", "[solve]\nstarts = 256\n")
+        self.assertLess(designs(text)[0]["error"]["rms"],
+                        0.05e60 * three_pin_paths.size_of(points))
+
+
 class Refused(unittest.TestCase):
     def check(self, text, *words):
         result = run(text, command="check")
@@ -171,6 +200,10 @@ class Refused(unittest.TestCase):
                 ('["B", "E", "G"]', '["A", "D", "G"]', "one body"),
                 ('["B", "E", "G"]', '["B", "Q", "G"]', "no point of the chain"),
                 ('type = "three-pin"', 'type = "three-pin"\nlengths = [1, 2]', "are found"),
+                ('["B", "E", "G"]', '["B", "E", "GM-link"]', "GM-link"),
+                ('["B", "E", "G"]', '["B", "C-drawn", "G"]', "no point of the chain"),
+                ('type = "three-pin"', 'type = "three_pin"', "perhaps for"),
+                ('"M"]', '"frame"]', "that of a body"),
                 ('name = "D"', 'name = "K-drawn"', "rename")):
             self.check(text.replace(old, new), word)
 

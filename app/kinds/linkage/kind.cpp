@@ -50,7 +50,7 @@ MetricNames chain_metric_names(std::span<const problems::Topology> topologies) {
   MetricNames names = linkage_metric_names();
   for (const problems::Topology& topology : topologies) {
     for (const problems::TopologyLine& line : topology.lines) {
-      if (!is_dyad(line.line.type)) continue;
+      if (!is_dyad(line.line.type) && !is_three_pin(line.line.type)) continue;
       names.names.push_back({fmt::format("transmission_{}_min_deg", line.name)});
     }
   }
