@@ -86,7 +86,7 @@ class Found(unittest.TestCase):
     def test_planted_paths_are_found_again(self):
         for kind, seed in ((1, 3), (2, 4)):
             points = target(kind, seed)
-            best = designs(problem(points, f"three-pin-{kind}",
+            best = designs(problem(points, f"three-pin-{kind}", "[solve]\nstarts = 2048\n"
                                    "[constraints]\ntransmission_angle_deg = [30, 150]\n"))[0]
             diagonal = max(abs(p - q) for p in points for q in points)
             self.assertLess(best["error"]["rms"], 1e-4 * diagonal)
@@ -95,7 +95,7 @@ class Found(unittest.TestCase):
     def test_noise_is_not_exceeded(self):
         for kind, seed, noise in ((1, 7, 0.001),):
             points = target(kind, seed, noise)
-            best = designs(problem(points, "three-pin-1", "[solve]\nstarts = 1536\n"
+            best = designs(problem(points, "three-pin-1", "[solve]\nstarts = 1024\n"
                                    "[constraints]\ntransmission_angle_deg = [30, 150]\n"))[0]
             # Across the path alone, and some of it is fitted.
             self.assertLess(best["error"]["rms"], noise * three_pin_paths.size_of(points))
@@ -105,7 +105,7 @@ class Found(unittest.TestCase):
         path = three_pin_paths.planted(1, random.Random(9), 35)
         points = path[::30]
         degrees = ", ".join(str(15 * i) for i in range(len(points)))
-        text = problem(points, "three-pin-1", "[solve]\nstarts = 1536\n"
+        text = problem(points, "three-pin-1", "[solve]\nstarts = 1024\n"
                        "[constraints]\ntransmission_angle_deg = [30, 150]\n").replace(
                            "closed = true", f'timing = "prescribed"\ncrank_deg = [{degrees}]')
         best = designs(text)[0]

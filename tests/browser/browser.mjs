@@ -19,7 +19,11 @@ export const some = (list) => process.env.WHOLE ? list : list.filter((_, i) => i
 
 // Of the tests of a file with many every second, likewise.
 let tests = 0;
-export const inTurn = (name, ...rest) => tests++ % 2 === 0 || process.env.WHOLE ? test(name, ...rest) : test.skip(name);
+const oneOf = (share) => (name, ...rest) => tests++ % share === 0 || process.env.WHOLE ? test(name, ...rest) : test.skip(name);
+export const inTurn = oneOf(2);
+
+// Where each takes long, every fourth.
+export const seldom = oneOf(4);
 
 export function launch() {
   return chromium.launch({

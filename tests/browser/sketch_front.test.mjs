@@ -1,6 +1,6 @@
 // The page of `cognate sketch`: the front of error against transmission angle.
 import assert from "node:assert/strict";
-import { assertFits, inTurn as test, some } from "./browser.mjs";
+import { assertFits, seldom as test, some } from "./browser.mjs";
 import { couplerPose, leastTransmission } from "./closures.mjs";
 import { addressOf, answered, draw, facts, hold, holding, letGo, offered, put, settled, SIX, visit } from "./sketching.mjs";
 

@@ -12,6 +12,7 @@ cognate_page_kernel(design_kernel ${problem_reader} ${mechanism_evaluator} ${ana
   app/report/kernel/designs.cpp
   app/report/kernel/expressions.cpp
   app/report/kernel/formula.cpp
+  problems/chain/check_names.cpp
   problems/chain/chosen_targets.cpp
   problems/chain/cosine_scan.cpp
   problems/chain/crank_angles/in_order.cpp
