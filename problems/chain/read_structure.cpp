@@ -89,11 +89,15 @@ class StructureReader {
     topology_.lines.push_back({.name = name, .line = line});
   }
 
+  bool is_taken(const std::string& name) const {
+    return std::ranges::count(names_, name) + std::ranges::count(made_, name) > 0;
+  }
+
   /// A name that no other point has; empty with a fault.
   std::string new_name(TableReader& table, std::string_view key, std::string_view what) {
     const auto name = require_name(table, key, what);
     if (!name) return "";
-    if (std::ranges::find(names_, *name) != names_.end()) {
+    if (is_taken(*name)) {
       table.fault(key, fmt::format("is {}, the name of another point; expected a name of its own",
                                    in_quotes(*name)));
       return "";
@@ -150,13 +154,7 @@ class StructureReader {
   void announce_slider(TableReader& table, const std::string& name, std::string_view joins) {
     const auto mentions = read_mentions(table, joins, {1, 1, "names of points"});
     if (!mentions) return;
-    if (std::ranges::find(names_, guide_name(name)) != names_.end()) {
-      table.fault("new",
-                  fmt::format("is {}, but the name {} of its guide is that of another point; "
-                              "rename one",
-                              in_quotes(name), in_quotes(guide_name(name))));
-    }
-    names_.push_back(guide_name(name));
+    take_name(table, name, guide_name(name));
     Part part{&table, LineType::slider, name, *mentions};
     if (table.has_table("slide")) {
       TableReader slide = table.table("slide");
@@ -167,12 +165,12 @@ class StructureReader {
 
   /// A name of the program's own, made of that of a point.
   void take_name(TableReader& table, const std::string& point, const std::string& made) {
-    if (std::ranges::find(names_, made) != names_.end()) {
+    if (is_taken(made)) {
       table.fault("new", fmt::format("has {}, but the name {} that goes with it is that of another "
                                      "point; rename one",
                                      in_quotes(point), in_quotes(made)));
     }
-    names_.push_back(made);
+    made_.push_back(made);
   }
 
   void announce_three_pins(TableReader& table, std::string_view joins) {
@@ -197,7 +195,7 @@ class StructureReader {
     Part part{&table, LineType::third_pin, pins->back().name, *mentions};
     for (const Mention& pin : *pins) {
       if (!check_name(table, pin.where, pin.called, pin.name)) return;
-      if (std::ranges::find(names_, pin.name) != names_.end()) {
+      if (is_taken(pin.name)) {
         fault(pin, fmt::format("has {}, the name of another point; expected names of their own",
                                in_quotes(pin.name)));
       }
@@ -368,7 +366,7 @@ class StructureReader {
   bool takes_three_pins_;
   std::size_t before_;
   Topology topology_;
-  std::vector<std::string> names_;
+  std::vector<std::string> names_, made_;  ///< of points; of the program's own
   std::vector<Part> waiting_;
 };
 

@@ -7,7 +7,7 @@
 
 #include "analysis/numbers/angle.hpp"
 #include "problems/chain/places.hpp"
-#include "problems/chain/three_pin_group.hpp"
+#include "problems/chain/three_pin/group.hpp"
 #include "synthesis/chain/sweep.hpp"
 #include "synthesis/chain/transform.hpp"
 

@@ -13,7 +13,7 @@
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/degrees.hpp"
-#include "problems/chain/three_pin_transmission.hpp"
+#include "problems/chain/three_pin/transmission.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/placement.hpp"
 #include "problems/linkage/verify.hpp"
@@ -46,15 +46,15 @@ TargetError target_error(const ChainPathProblem& problem, Motion& motion,
 }
 
 TargetError target_error(const ChainPathProblem& problem, const Topology& topology,
-                         const NamedMechanism& mechanism, std::vector<double> angles,
-                         const CurvePlacement& placement) {
+                         const NamedMechanism& mechanism, const AssemblyRanges& limited,
+                         std::vector<double> angles, const CurvePlacement& placement) {
   const auto point =
       traced_point(mechanism, topology.lines[static_cast<std::size_t>(topology.trace)].name);
   if (!has_three_pin_link(topology)) {
     MechanismMotion<0> motion(mechanism.mechanism);
     return target_error(problem, motion, point, angles, placement);
   }
-  FollowedMotion<0> motion(mechanism.mechanism, follow(mechanism.mechanism, 0, kTurn));
+  FollowedMotion<0> motion(mechanism.mechanism, limited);  // over the whole turn
   for (double& angle : angles) angle = in_one_turn(angle);
   return target_error(problem, motion, point, angles, placement);
 }
@@ -162,10 +162,10 @@ void check_circuit(const AssemblyRanges& motion, Design& design) {
 Design verified(const ChainPathProblem& problem, const Topology& topology, NamedMechanism mechanism,
                 const std::vector<double>& angles, const std::optional<CurvePlacement>& placement) {
   Design design;
-  design.error =
-      target_error(problem, topology, mechanism, angles, placement.value_or(CurvePlacement{}));
-  design.placement = placement;
   const AssemblyRanges motion = limited_motion(problem, mechanism, angles);
+  design.error = target_error(problem, topology, mechanism, motion, angles,
+                              placement.value_or(CurvePlacement{}));
+  design.placement = placement;
   design.metrics.quantities.push_back({"topology", topology.name});
   if (placement) {
     std::ranges::move(quantities(*placement), std::back_inserter(design.metrics.quantities));

@@ -305,7 +305,7 @@ rms_error_max = 1
                 ("output_range = 60", "output_range_deg = 60", "output_range"),
                 ("rms_error_max", "rms_error_deg_max", "rms_error_max"),
                 ("rms_error_max", "max_error_max", "rms_error_max"),
-                ('name = "D"', 'name = "Q-slide"', "guide"),
+                ('name = "D"', 'name = "Q-slide"', "goes with it"),
                 ("Q-slide = [5", "Q-slide = [50", "Q-slide")):
             with self.subTest(new=new):
                 self.assertIn(old, self.FILE)

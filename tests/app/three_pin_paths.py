@@ -170,6 +170,11 @@ class Design:
         return path, moved[1]
 
 
+def rms_distance(path, points):
+    """Of points from a closed polyline."""
+    return math.sqrt(sum(distance_to(path, p)**2 for p in points) / len(points))
+
+
 def distance_to(path, point):
     """Of `point` from a closed polyline."""
     nearest = math.inf

@@ -81,6 +81,26 @@ test("the bounds of a dyad are those of its links", async () => {
   await close();
 });
 
+test("a design with a three-pin link is shown by the distances of its pins, and not edited", async () => {
+  const file = path.join(folder, "plate.toml");
+  writeFileSync(file, `${readFileSync(path.join(LIBRARY, "chain", "three-pin-path.toml"), "utf8")}\n[solve]\nstarts = 60\n`);
+  execFileSync(process.env.COGNATE, ["solve", "--quiet", "--out", folder, file]);
+  const { page, faults, close } = await open(browser, path.join(folder, "plate.report.html"), { motion: "reduce" });
+  const { at, direction_deg: turned, joint } = await page.evaluate(() => JSON.parse(document.getElementById("data").textContent).result.designs[0].mechanism.dyad[0]);
+  const shown = await page.evaluate(() => Object.fromEntries([...document.querySelectorAll("#dimensions dt")].map((dt) => [dt.textContent, Number(dt.nextElementSibling.textContent)])));
+  const pins = joint.slice(3).map(({ at: [, own] }) => own);
+  for (const [name, i, j] of [["CEF C–E", 0, 1], ["CEF C–F", 0, 2], ["CEF E–F", 1, 2]]) {
+    assert.ok(Math.abs(shown[name] - Math.hypot(pins[i][0] - pins[j][0], pins[i][1] - pins[j][1])) < 1e-5, name);
+  }
+  // Drawn with the crank at angle 0, where G stands, from which GF holds F.
+  const [g, plate] = [at[2], at[3]], angle = turned[3] * Math.PI / 180;
+  const f = [plate[0] + Math.cos(angle) * pins[2][0] - Math.sin(angle) * pins[2][1], plate[1] + Math.sin(angle) * pins[2][0] + Math.cos(angle) * pins[2][1]];
+  assert.ok(Math.abs(shown["Link G–F"] - Math.hypot(f[0] - g[0], f[1] - g[1])) < 1e-5);
+  assert.ok(await page.locator(".edit-toggle").isHidden());
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 // Those of which no sample is a whole problem.
 for (const [kind, name] of some([["cam", "valve"], ["cam", "oscillating-roller"], ["quick-return", "crank-rocker-best"], ["straight-line", "chebyshev-classical"], ["path", "poses-and-points"]])) {
   test(`${kind}/${name}: the file is the problem`, async () => {

@@ -11,7 +11,7 @@ namespace cognate::test {
 
 struct PinnedChain {
   synthesis::Chain chain;
-  std::vector<double> parameters;
+  synthesis::ChainDesign design;
   int base;  ///< the first line of the three-pin link
 };
 
@@ -92,7 +92,12 @@ inline std::vector<PinnedChain> three_pin_chains() {
   const auto on_coupler =
       joined({0, 0, pivots[0].x, pivots[0].y, pivots[1].x, pivots[1].y, 0.6, 2.0, reach, 0.4, 0.5},
              drawn_lines(pins, {Vec2d{0.6, 0}, carried, pivots[1]}), {0.7, 0.3});
-  return {{frame, on_frame, 4}, {crank, on_crank, 4}, {coupler, on_coupler, 6}};
+  const auto open = [](const Chain& chain, const std::vector<double>& parameters) {
+    return synthesis::ChainDesign{parameters, std::vector<int>(chain.lines.size(), 1)};
+  };
+  return {{frame, open(frame, on_frame), 4},
+          {crank, open(crank, on_crank), 4},
+          {coupler, open(coupler, on_coupler), 6}};
 }
 
 }  // namespace cognate::test

@@ -33,8 +33,8 @@ cognate_page_kernel(design_kernel ${problem_reader} ${mechanism_evaluator} ${ana
   problems/chain/refine.cpp
   problems/chain/scaled.cpp
   problems/chain/space.cpp
-  problems/chain/three_pin_group.cpp
-  problems/chain/three_pin_transmission.cpp
+  problems/chain/three_pin/group.cpp
+  problems/chain/three_pin/transmission.cpp
   problems/chain/topology.cpp
   problems/chain/verify.cpp
   problems/chain/wanted_points.cpp

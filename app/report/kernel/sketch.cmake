@@ -61,8 +61,8 @@ cognate_page_kernel(sketch_kernel
   problems/chain/starts/draw.cpp
   problems/chain/starts/known.cpp
   problems/chain/starts/placed.cpp
-  problems/chain/three_pin_group.cpp
-  problems/chain/three_pin_transmission.cpp
+  problems/chain/three_pin/group.cpp
+  problems/chain/three_pin/transmission.cpp
   problems/chain/topology.cpp
   problems/chain/verify.cpp
   problems/chain/wanted_points.cpp

@@ -11,6 +11,7 @@
 #include "synthesis/chain/bodies.hpp"
 #include "synthesis/chain/chain_fit.hpp"
 #include "synthesis/chain/sweep.hpp"
+#include "tests/support/posed_chain.hpp"
 #include "tests/support/six_bars.hpp"
 #include "tests/support/three_pin_chains.hpp"
 
@@ -89,24 +90,14 @@ void gradients(benchmark::State& state) {
 BENCHMARK(gradients);
 
 /// The same of a six-bar with a three-pin link, followed from position to position.
-struct Pinned {
-  test::PinnedChain of = test::three_pin_chains().front();
-  std::vector<PlacedLine> lines = placed_lines(of.chain);
-  std::vector<double> side = std::vector<double>(lines.size(), 1.0);
-  int trace = static_cast<int>(lines.size()) - 1;
-
-  ChainView<double> view() const {
-    return {lines.data(), static_cast<int>(lines.size()), of.parameters.data(), side.data()};
-  }
-};
-
 void three_pin_positions(benchmark::State& state) {
-  const Pinned pinned;
+  const test::PinnedChain of = test::three_pin_chains().front();
+  const test::PosedChain<double> pinned(of.chain, of.design);
   ChainPlace<double> at;
   for (auto _ : state) {
     for (const Vec2d& crank : posed.cranks) {
       place_next(pinned.view(), crank, at);
-      benchmark::DoNotOptimize(at.at[pinned.trace]);
+      benchmark::DoNotOptimize(at.at[pinned.last()]);
     }
   }
   state.SetItemsProcessed(state.iterations() * kPositions);
@@ -114,15 +105,16 @@ void three_pin_positions(benchmark::State& state) {
 BENCHMARK(three_pin_positions);
 
 void three_pin_gradients(benchmark::State& state) {
-  const Pinned pinned;
+  const test::PinnedChain of = test::three_pin_chains().front();
+  const test::PosedChain<double> pinned(of.chain, of.design);
   ChainPlace<double> at;
-  std::vector<double> gradient(pinned.of.parameters.size(), 0.0);
+  std::vector<double> gradient(pinned.parameters.size(), 0.0);
   for (auto _ : state) {
     for (const Vec2d& crank : posed.cranks) {
       place_next(pinned.view(), crank, at);
       Vec2d seed[kMostLines]{};
-      seed[pinned.trace] = 2.0 * (at.at[pinned.trace] - Vec2d{3, 4.5});
-      sweep_back(pinned.view(), at, pinned.trace, seed, gradient.data());
+      seed[pinned.last()] = 2.0 * (at.at[pinned.last()] - Vec2d{3, 4.5});
+      sweep_back(pinned.view(), at, pinned.last(), seed, gradient.data());
     }
     benchmark::DoNotOptimize(gradient.data());
   }

@@ -11,6 +11,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "synthesis/chain/bodies.hpp"
 #include "synthesis/chain/sweep.hpp"
+#include "tests/support/posed_chain.hpp"
 #include "tests/support/six_bars.hpp"
 
 namespace cognate::synthesis::chain_sweep_test {
@@ -19,39 +20,12 @@ namespace {
 using Quad = boost::multiprecision::cpp_bin_float_quad;
 using test::chains_with_sliders;
 using test::kTracedLine;
+using test::PosedChain;
 using test::six_bars;
 using test::six_bars_and_sliders;
 using test::SixBar;
 
 constexpr int kPositions = 360;
-
-/// A chain that keeps what its view points to.
-template <class T>
-class Posed {
- public:
-  explicit Posed(const SixBar& six_bar)
-      : lines_(placed_lines(six_bar.chain)),
-        parameters(six_bar.design.parameters.begin(), six_bar.design.parameters.end()),
-        side_(six_bar.design.side.begin(), six_bar.design.side.end()) {}
-
-  ChainView<T> view() const {
-    return {lines_.data(), static_cast<int>(lines_.size()), parameters.data(), side_.data()};
-  }
-  const ChainPlace<T>& at(const Vec2<T>& crank) {
-    place(view(), crank, place_);
-    return place_;
-  }
-
- private:
-  std::vector<PlacedLine> lines_;
-
- public:
-  std::vector<T> parameters;
-
- private:
-  std::vector<T> side_;
-  ChainPlace<T> place_;
-};
 
 Vec2<Quad> wide(const Vec2d& v) {
   const Quad length = sqrt(Quad(v.x) * v.x + Quad(v.y) * v.y);
@@ -61,7 +35,7 @@ Vec2<Quad> wide(const Vec2d& v) {
 TEST(ChainSweep, PathsAndTransmissionAnglesOfPublishedSixBars) {
   for (const SixBar& six_bar : six_bars()) {
     SCOPED_TRACE(six_bar.name);
-    Posed<double> chain(six_bar);
+    PosedChain<double> chain(six_bar.chain, six_bar.design);
     const Vec2d start = chain.at({1, 0}).at[kTracedLine];
     EXPECT_NEAR(start.x, six_bar.start.x, 1e-9);
     EXPECT_NEAR(start.y, six_bar.start.y, 1e-9);
@@ -88,8 +62,8 @@ TEST(ChainSweep, PathsAndTransmissionAnglesOfPublishedSixBars) {
 TEST(ChainSweep, GradientsAreDifferencesIn113Bits) {
   for (const SixBar& six_bar : six_bars_and_sliders()) {
     SCOPED_TRACE(six_bar.name);
-    Posed<double> chain(six_bar);
-    Posed<Quad> exact(six_bar);
+    PosedChain<double> chain(six_bar.chain, six_bar.design);
+    PosedChain<Quad> exact(six_bar.chain, six_bar.design);
     double worst = 0;
     for (int i = 0; i < kPositions; i += 5) {
       const Vec2d crank = unit_vector(kTurn * i / kPositions), direction = unit_vector(0.3 + i);
@@ -121,7 +95,7 @@ TEST(ChainSweep, GradientsAreDifferencesIn113Bits) {
 TEST(ChainSweep, MotionAndGradientSayTheSame) {
   for (const SixBar& six_bar : six_bars_and_sliders()) {
     SCOPED_TRACE(six_bar.name);
-    Posed<double> chain(six_bar);
+    PosedChain<double> chain(six_bar.chain, six_bar.design);
     const std::size_t count = six_bar.design.parameters.size();
     for (int i = 0; i < kPositions; i += 7) {
       const auto& place = chain.at(unit_vector(kTurn * i / kPositions));
@@ -143,8 +117,8 @@ TEST(ChainSweep, MotionAndGradientSayTheSame) {
 TEST(ChainSweep, CosinesAreDifferentiatedToo) {
   for (const SixBar& six_bar : six_bars_and_sliders()) {
     SCOPED_TRACE(six_bar.name);
-    Posed<double> chain(six_bar);
-    Posed<Quad> exact(six_bar);
+    PosedChain<double> chain(six_bar.chain, six_bar.design);
+    PosedChain<Quad> exact(six_bar.chain, six_bar.design);
     for (int i = 0; i < kPositions; i += 15) {
       const int joint = i % 2 == 0 ? six_bar.second_joint : six_bar.first_joint;
       const Vec2d crank = unit_vector(kTurn * i / kPositions);
@@ -178,7 +152,7 @@ int slider_of(const SixBar& chain) {
 TEST(ChainSweep, PinsOfSlidersAreOnTheirGuidesAheadOrBehind) {
   for (const SixBar& six_bar : chains_with_sliders()) {
     SCOPED_TRACE(six_bar.name);
-    Posed<double> chain(six_bar);
+    PosedChain<double> chain(six_bar.chain, six_bar.design);
     const int slider = slider_of(six_bar);
     const auto lines = placed_lines(six_bar.chain);
     const auto& [line, parameter] = lines[std::size_t(slider)];
@@ -199,8 +173,8 @@ TEST(ChainSweep, PinsOfSlidersAreOnTheirGuidesAheadOrBehind) {
 TEST(ChainSweep, DisplacementsAreDifferentiatedToo) {
   for (const SixBar& six_bar : chains_with_sliders()) {
     SCOPED_TRACE(six_bar.name);
-    Posed<double> chain(six_bar);
-    Posed<Quad> exact(six_bar);
+    PosedChain<double> chain(six_bar.chain, six_bar.design);
+    PosedChain<Quad> exact(six_bar.chain, six_bar.design);
     const int slider = slider_of(six_bar);
     const int guide = six_bar.chain.lines[std::size_t(slider)].second;
     for (int i = 0; i < kPositions; i += 15) {

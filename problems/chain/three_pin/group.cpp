@@ -1,4 +1,4 @@
-#include "problems/chain/three_pin_group.hpp"
+#include "problems/chain/three_pin/group.hpp"
 
 #include <fmt/core.h>
 

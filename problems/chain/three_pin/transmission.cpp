@@ -1,4 +1,4 @@
-#include "problems/chain/three_pin_transmission.hpp"
+#include "problems/chain/three_pin/transmission.hpp"
 
 #include <algorithm>
 #include <cmath>
