@@ -7,6 +7,7 @@
 #include "problems/cam/problem.hpp"
 #include "problems/chain/problem.hpp"
 #include "problems/chain_function/problem.hpp"
+#include "problems/chain_motion/problem.hpp"
 #include "problems/dwell/problem.hpp"
 #include "problems/evaluation/problem.hpp"
 #include "problems/function/problem.hpp"
@@ -23,10 +24,10 @@ namespace cognate::problems {
 
 /// The list of all kinds of problem. Messages name them in this order, those of
 /// one word once.
-using Task =
-    std::variant<PathProblem, ChainPathProblem, FunctionProblem, ChainFunctionProblem, DwellProblem,
-                 MotionProblem, QuickReturnProblem, StraightLineProblem, LegProblem, CamProblem,
-                 GearProblem, GearPairProblem, GearTrainProblem, AnalysisProblem, MachineProblem>;
+using Task = std::variant<PathProblem, ChainPathProblem, FunctionProblem, ChainFunctionProblem,
+                          DwellProblem, MotionProblem, ChainMotionProblem, QuickReturnProblem,
+                          StraightLineProblem, LegProblem, CamProblem, GearProblem, GearPairProblem,
+                          GearTrainProblem, AnalysisProblem, MachineProblem>;
 
 /// Calls `visit` with `std::type_identity` of each kind of problem, in the order of `Task`.
 template <class Visit>

@@ -5,6 +5,7 @@
 #include "app/kinds/cam/kind.hpp"
 #include "app/kinds/chain/kind.hpp"
 #include "app/kinds/chain_function/kind.hpp"
+#include "app/kinds/chain_motion/kind.hpp"
 #include "app/kinds/dwell/kind.hpp"
 #include "app/kinds/evaluation/kind.hpp"
 #include "app/kinds/function/kind.hpp"

@@ -64,7 +64,7 @@ double longest_beside(const std::vector<double>& ways, std::size_t i, bool close
 
 double squared_stray(const ScaledChain& problem, const synthesis::ChainDesign& design,
                      std::span<const Vec2d> targets, std::span<const double> angles) {
-  if (problem.timed()) return 0;
+  if (problem.timed() || problem.is_motion()) return 0;
   TracedPoint traced(problem, design);
   const double turn = angles.back() > angles.front() ? kTurn : -kTurn;
   const auto ways = ways_between(targets, problem.closed);

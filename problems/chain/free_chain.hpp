@@ -9,6 +9,7 @@
 
 #include "analysis/numbers/angle.hpp"
 #include "problems/chain/space.hpp"
+#include "synthesis/chain/heading.hpp"
 #include "synthesis/chain/sweep.hpp"
 
 namespace cognate::problems {
@@ -52,6 +53,18 @@ class FreeChain {
     seed_[static_cast<std::size_t>(to)] = across;
     seed_[static_cast<std::size_t>(from)] = -across;
     return swept(std::max(from, to), row);
+  }
+
+  /// The angle from `wanted` to the heading of line `line`, −π … π.
+  double turned(int line, const Vec2d& wanted) const {
+    return angle_of(conj(wanted) * synthesis::heading(view_, place_, line));
+  }
+
+  /// `weight` times its derivatives.
+  double heading_slope(int line, double weight, double* row) {
+    clear();
+    synthesis::seed_heading(view_, place_, line, weight, seed_.data(), gradient_.data());
+    return swept(line, row);
   }
 
   /// From the point of line `from` to that of `to`.

@@ -14,6 +14,14 @@ namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
+/// Derivatives of a point that a target's place moves, along `direction`, by that place.
+void add_place_slopes(const Vec2d& direction, const Vec2d& reached, double* place) {
+  place[0] = dot(direction, reached);
+  place[1] = dot(direction, perp(reached));
+  place[2] = direction.x;
+  place[3] = direction.y;
+}
+
 }  // namespace
 
 ChainPathModel::ChainPathModel(const ScaledChain& problem, const synthesis::ChainDesign& design,
@@ -28,7 +36,7 @@ ChainPathModel::ChainPathModel(const ScaledChain& problem, const synthesis::Chai
       cosine_limit_(problem.cosine_limit - margin) {
   add_variables();
   for (std::size_t j = 0; !problem.timed() && j < problem.points.size(); ++j) {
-    locals_.insert(locals_.end(), 2, static_cast<int>(j));
+    locals_.insert(locals_.end(), stride(), static_cast<int>(j));
   }
 }
 
@@ -103,6 +111,12 @@ std::size_t ChainPathModel::global_count() const {
          (problem_.is_movable ? TargetPlace::kNumbers : 0);
 }
 
+/// One residual's derivatives: by the unknowns before the crank angles, and by the latter.
+struct ChainPathModel::Row {
+  double* global;
+  double* turn;
+};
+
 bool ChainPathModel::residuals(std::span<const double> x, std::span<double> r,
                                std::span<double> jacobian, std::span<double> local) const {
   const synthesis::ChainDesign here = design(x);
@@ -112,28 +126,32 @@ bool ChainPathModel::residuals(std::span<const double> x, std::span<double> r,
   const TargetPlace target = target_place(x);
   const double weight = 1 / std::sqrt(double(points));
   const int trace = problem_.topology->trace;
+  const bool has_slopes = !jacobian.empty() || !local.empty();
+  const auto row = [&](std::size_t i) {
+    double* own = jacobian.data() + i * columns;
+    return Row{own, problem_.timed() ? own + unknowns : local.data() + i};
+  };
   for (std::size_t j = 0; j < points; ++j) {
     const double crank = problem_.timed() ? x[unknowns] + problem_.crank_angles[j] : x[columns + j];
     const Vec2d reached = chain.at(crank)[trace];
     const Vec2d error = weight * (target.point(reached) - problem_.points[j]);
     if (!is_finite(error)) return false;
-    r[2 * j] = error.x;
-    r[2 * j + 1] = error.y;
-    if (jacobian.empty() && local.empty()) continue;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      double* row = jacobian.data() + (2 * j + axis) * columns;
+    const std::size_t first = stride() * j;
+    r[first] = error.x;
+    r[first + 1] = error.y;
+    for (std::size_t axis = 0; has_slopes && axis < 2; ++axis) {
       const Vec2d direction = axis == 0 ? Vec2d{weight, 0} : Vec2d{0, weight};
-      const double turn = chain.slope(trace, conj(target.turn) * direction, row);
-      if (problem_.is_movable) {
-        const Vec2d across = perp(reached);
-        double* place = row + unknowns;
-        place[0] = dot(direction, reached);
-        place[1] = dot(direction, across);
-        place[2] = direction.x;
-        place[3] = direction.y;
-      }
-      (problem_.timed() ? row[unknowns] : local[2 * j + axis]) = turn;
+      const Row own = row(first + axis);
+      *own.turn = chain.slope(trace, conj(target.turn) * direction, own.global);
+      if (problem_.is_movable) add_place_slopes(direction, reached, own.global + unknowns);
     }
+    if (!problem_.is_motion()) continue;
+    const double turn_weight = weight * problem_.headings.weight;
+    r[first + 2] =
+        turn_weight * chain.turned(problem_.headings.line, problem_.headings.directions[j]);
+    if (!has_slopes) continue;
+    const Row own = row(first + 2);
+    *own.turn = chain.heading_slope(problem_.headings.line, turn_weight, own.global);
   }
   return true;
 }

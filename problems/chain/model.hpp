@@ -9,11 +9,11 @@
 
 namespace cognate::problems {
 
-/// Two residuals for each target, divided by √n, so that their squares sum up to the mean square.
-/// Unknowns are the free parameters, then the phase of a timed path or a crank angle for each
-/// target, which stays between the middles to its neighbours in `angles`. Where the target may be
-/// moved, its place's four numbers stand before the angles. Constraints: ± cos μ is
-/// within the limit, less `margin`, at each check.
+/// Two residuals for each target, of a pose a third, its angle, divided by √n, so that their
+/// squares sum up to the mean square. Unknowns are the free parameters, then the phase of a timed
+/// path or a crank angle for each target, which stays between the middles to its neighbours in
+/// `angles`. Where the target may be moved, its place's four numbers stand before the angles.
+/// Constraints: ± cos μ is within the limit, less `margin`, at each check.
 class ChainPathModel : public synthesis::Model {
  public:
   /// `angles`: of the crank at the targets, in order; timed: the phase alone. `at`: where the
@@ -28,7 +28,9 @@ class ChainPathModel : public synthesis::Model {
   TargetPlace target_place(std::span<const double> x) const;
 
   std::span<const synthesis::Variable> variables() const override { return variables_; }
-  int residual_count() const override { return 2 * static_cast<int>(problem_.points.size()); }
+  int residual_count() const override {
+    return static_cast<int>(stride() * problem_.points.size());
+  }
   int constraint_count() const override { return 2 * static_cast<int>(checks_.size()); }
   std::span<const int> local_of_residual() const override { return locals_; }
   int local_count() const override;
@@ -38,6 +40,10 @@ class ChainPathModel : public synthesis::Model {
                    std::span<double> jacobian) const override;
 
  private:
+  struct Row;  ///< of the Jacobian
+
+  /// Residuals of one target.
+  std::size_t stride() const { return problem_.is_motion() ? 3 : 2; }
   void add_variables();
   /// How many stand before the crank angles.
   std::size_t global_count() const;

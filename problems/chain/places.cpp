@@ -47,6 +47,7 @@ ChainPlaces::ChainPlaces(std::span<const ChainLine> lines, std::span<const doubl
         bodies_.push_back({{second, {}}, {i, {parameter(1), 0}}});
         break;
       case LineType::guide:
+      case LineType::heading:
       case LineType::third_link:
       case LineType::drawn:
       case LineType::first_pin:

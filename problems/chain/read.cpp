@@ -79,19 +79,7 @@ void read_with_dyads(TableReader& document, LinkageTables& tables, ChainPathProb
 
 void read_with_three_pins(TableReader& document, LinkageTables& tables, ChainPathProblem& problem) {
   read_against(tables.solve, problem);
-  const auto refuse = [](TableReader& table, std::string_view key, std::string_view why) {
-    if (!table.contains(key)) return;
-    table.know({key});
-    table.fault(key, why);
-  };
-  constexpr std::string_view kWhy =
-      "is for chains of dyads alone, not for links with three pins; remove it";
-  for (const std::string_view key : {"layers", "raster", "tolerance"}) refuse(document, key, kWhy);
-  refuse(tables.solve, "robust", kWhy);
-  refuse(tables.constraints, "layers_max", kWhy);
-  if (problem.constraints.over == LimitSpan::turn) return;
-  refuse(tables.constraints, "over",
-         "is \"range\", but the crank of a mechanism with a three-pin link turns fully; remove it");
+  refuse_with_three_pins(document, tables, problem.constraints.over);
 }
 
 /// Without a raster the chain itself may be moved; on one its size counts, which bounds say.

@@ -109,6 +109,17 @@ void refuse_four_bar_limits(TableReader& constraints, std::string_view taken) {
   }
 }
 
+void refuse_with_three_pins(TableReader& document, LinkageTables& tables, LimitSpan over) {
+  constexpr std::string_view kWhy =
+      "is for chains of dyads alone, not for links with three pins; remove it";
+  for (const std::string_view key : {"layers", "raster", "tolerance"}) refuse(document, key, kWhy);
+  refuse(tables.solve, "robust", kWhy);
+  refuse(tables.constraints, "layers_max", kWhy);
+  if (over == LimitSpan::turn) return;
+  refuse(tables.constraints, "over",
+         "is \"range\", but the crank of a mechanism with a three-pin link turns fully; remove it");
+}
+
 void read_chain_solve(TableReader& table, Solve& solve) {
   solve.starts = table.integer("starts", kStartCount.min, kStartCount.max);
   read_design_count(table, kMostSearchedDesigns, solve);

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "problems/chain/problem.hpp"
 #include "problems/chain/read_structure.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/linkage/read_linkage.hpp"
@@ -38,6 +39,10 @@ std::optional<Range> read_chain_transmission(TableReader& constraints);
 
 /// Faults limits that four-bars alone have; `taken`: what a chain takes instead, for the message.
 void refuse_four_bar_limits(TableReader& constraints, std::string_view taken);
+
+/// Faults what is for chains of dyads alone in a file of a chain with three-pin links, whose limits
+/// hold `over` a motion.
+void refuse_with_three_pins(TableReader& document, LinkageTables& tables, LimitSpan over);
 
 /// `[solve]`: starts and designs.
 void read_chain_solve(TableReader& table, Solve& solve);

@@ -70,42 +70,30 @@ void check_angle_steps(TableReader& target, const std::vector<double>& degrees, 
   }
 }
 
-/// `dropped`: a closed path's last point, and its angle, are those of the first.
-void read_angles(TableReader& target, bool dropped, ChainPathProblem& problem) {
+std::vector<double> read_angles(TableReader& target, const TimedTargets& of) {
   constexpr std::string_view kKey = "crank_deg";
   auto degrees = target.numbers(kKey, kAngle, {.min = 1, .of = "angles"});
-  if (!degrees || problem.points.empty()) return;
-  const std::size_t count = problem.points.size() + (dropped ? 1 : 0);
+  if (!degrees || of.count == 0) return {};
+  const std::size_t count = of.count + (of.drops_end ? 1 : 0);
   if (degrees->size() != count) {
-    return target.fault(kKey, fmt::format("has {} angles for {} points; expected one for each "
-                                          "point",
-                                          degrees->size(), count));
+    target.fault(kKey, fmt::format("has {} angles for {} {}s; expected one for each {}",
+                                   degrees->size(), count, of.noun, of.noun));
+    return {};
   }
-  if (dropped) {
+  if (of.drops_end) {
     if (std::abs(std::remainder(degrees->back() - degrees->front(), 360.0)) > 1e-9) {
       target.fault(kKey,
-                   "ends at another position of the crank than it begins with, but the last point "
-                   "of the closed path is the first; expected a whole turn between them");
+                   fmt::format("ends at another position of the crank than it begins with, but the "
+                               "last {} of the closed {} is the first; expected a whole turn "
+                               "between them",
+                               of.noun, of.whole));
     }
     degrees->pop_back();
   }
-  check_angle_steps(target, *degrees, problem.closed);
-  for (const double angle : *degrees) problem.crank_angles.push_back(radians(angle));
-}
-
-void read_chain_timing(TableReader& target, bool dropped, ChainPathProblem& problem) {
-  constexpr std::string_view kTiming = "timing", kAngles = "crank_deg";
-  const auto timing = target.choice_of(kTiming, kTimings);
-  const bool angles = target.has(kAngles);
-  if (timing == 0 && angles) {
-    target.fault(kAngles, "is given with free timing; remove timing = \"free\" or crank_deg");
-  } else if (timing == 1 && !angles) {
-    target.fault(kTiming,
-                 "is \"prescribed\" without crank_deg; give one angle for each point in "
-                 "target.crank_deg, or timing = \"free\"");
-  } else if (angles) {
-    read_angles(target, dropped, problem);
-  }
+  check_angle_steps(target, *degrees, of.closed);
+  std::vector<double> angles;
+  for (const double angle : *degrees) angles.push_back(radians(angle));
+  return angles;
 }
 
 void read_closed_curve(TableReader& target, const std::filesystem::path& folder,
@@ -146,6 +134,23 @@ void refuse_four_bar_keys(TableReader& target) {
 
 }  // namespace
 
+std::vector<double> read_chain_timing(TableReader& target, const TimedTargets& of) {
+  constexpr std::string_view kTiming = "timing", kAngles = "crank_deg";
+  const auto timing = target.choice_of(kTiming, kTimings);
+  const bool angles = target.has(kAngles);
+  if (timing == 0 && angles) {
+    target.fault(kAngles, "is given with free timing; remove timing = \"free\" or crank_deg");
+  } else if (timing == 1 && !angles) {
+    target.fault(kTiming,
+                 fmt::format("is \"prescribed\" without crank_deg; give one angle for each "
+                             "{} in target.crank_deg, or timing = \"free\"",
+                             of.noun));
+  } else if (angles) {
+    return read_angles(target, of);
+  }
+  return {};
+}
+
 void read_chain_target(TableReader& target, const std::filesystem::path& folder,
                        ChainPathProblem& problem) {
   if (has_curve(target, {"svg_id", "samples"})) {
@@ -155,7 +160,8 @@ void read_chain_target(TableReader& target, const std::filesystem::path& folder,
   }
   refuse_four_bar_keys(target);
   const bool dropped = read_point_list(target, problem);
-  read_chain_timing(target, dropped, problem);
+  problem.crank_angles =
+      read_chain_timing(target, {problem.points.size(), problem.closed, dropped, "point", "path"});
   read_place(target, problem);
 }
 

@@ -16,6 +16,7 @@
 #include "problems/chain/refine.hpp"
 #include "problems/chain/starts/alignment.hpp"
 #include "problems/chain/starts/draw.hpp"
+#include "problems/chain/starts/heading.hpp"
 #include "synthesis/chain/chain_fit.hpp"
 
 namespace cognate::problems {
@@ -91,6 +92,7 @@ struct FitTargets : ChosenTargets {
       fit.root_weight.push_back(1 / std::sqrt(double(which.size())));
       if (problem.timed()) fit.crank_angles.push_back(problem.crank_angles[chosen]);
     }
+    if (problem.is_motion()) take_headings(problem.headings);
     fit.free = problem.free;
     for (const int parameter : problem.free) {
       fit.lower.push_back(problem.lower[static_cast<std::size_t>(parameter)]);
@@ -99,6 +101,16 @@ struct FitTargets : ChosenTargets {
     fit.joints = problem.joints;
     fit.checks = problem.over_turn ? kTurnChecks : 0;
     fit.cosine_limit = problem.cosine_limit - (problem.over_turn ? kBetweenChecks : 0);
+  }
+
+ private:
+  void take_headings(const WantedHeadings& wanted) {
+    fit.heading = wanted.line;
+    fit.angle_weight = wanted.weight;
+    for (const std::size_t chosen : which) {
+      fit.heading_x.push_back(wanted.directions[chosen].x);
+      fit.heading_y.push_back(wanted.directions[chosen].y);
+    }
   }
 };
 
@@ -219,11 +231,25 @@ class ChainExplorer {
       if (!drawn) continue;
       const Alignment alignment = alignment_.align(drawn->curve);
       if (!(alignment.error < nearest)) continue;
-      nearest = alignment.error;
-      best.design = aligned(problem_, *drawn, alignment);
-      best.angles = fitted_angles(alignment);
+      ChainFitState start{aligned(problem_, *drawn, alignment), fitted_angles(alignment)};
+      const double error = std::hypot(alignment.error, turn_to_poses(start));
+      if (!(error < nearest)) continue;
+      nearest = error;
+      best = std::move(start);
     }
     return best;
+  }
+
+  /// Of a motion, turns the body in its link; the distance that its angles then miss, root mean
+  /// square.
+  double turn_to_poses(ChainFitState& start) const {
+    if (!problem_.is_motion()) return 0;
+    std::vector<double> cranks = start.angles;
+    if (problem_.timed()) {
+      cranks = targets_.fit.crank_angles;
+      for (double& crank : cranks) crank += start.angles.front();
+    }
+    return std::sqrt(turn_body(problem_, targets_.which, cranks, start.design));
   }
 
   std::vector<double> fitted_angles(const Alignment& alignment) const {

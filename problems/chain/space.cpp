@@ -31,6 +31,7 @@ ParameterScale scale_of(const TargetScale& scale, ParameterRole role) {
     case ParameterRole::y:
       return {scale.centre.y, scale.size};
     case ParameterRole::direction:
+    case ParameterRole::body_angle:
       return {0, 1};
     default:
       return {0, scale.size};
@@ -58,6 +59,7 @@ Range open_range(ParameterRole role, double least_length, double most) {
     case ParameterRole::length:
       return {least_length, most};
     case ParameterRole::direction:
+    case ParameterRole::body_angle:
       return {-kTurn, kTurn};
     default:
       return {-most, most};

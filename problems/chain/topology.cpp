@@ -82,6 +82,8 @@ class Naming {
         return add_slider(index, line, parameters[0], side);
       case LineType::third_pin:
         return add_three_pin_link(index);
+      case LineType::heading:
+        return;
       case LineType::third_link:
       case LineType::drawn:
       case LineType::first_pin:
@@ -188,6 +190,7 @@ std::string sketch_of(const Topology& topology, const TopologyLine& point) {
       return fmt::format("slider {}({})", point.name, name(first));
     case LineType::third_pin:
       return sketch_of_three_pins(topology, point);
+    case LineType::heading:
     case LineType::third_link:
     case LineType::drawn:
     case LineType::first_pin:
@@ -231,7 +234,8 @@ std::string drawn_name(const std::string& pin) {
 }
 
 bool is_point(LineType type) {
-  return type != LineType::guide && type != LineType::third_link && type != LineType::drawn;
+  return type != LineType::guide && type != LineType::heading && type != LineType::third_link &&
+         type != LineType::drawn;
 }
 
 std::array<std::string, 2> slider_link_names(const std::string& first, const std::string& pin) {

@@ -17,18 +17,8 @@ TableWriter target_writer(const ChainPathProblem& problem) {
   TableWriter table;
   table.set("points", problem.points).set("closed", problem.closed);
   if (problem.is_movable) table.set_name("place", CurvePlace::similar);
-  const bool timed = !problem.crank_angles.empty();
-  table.set("timing", timed ? "prescribed" : kFreeDimension);
-  if (timed) {
-    Array angles;
-    for (const double angle : problem.crank_angles) angles.push_back(node_deg(angle));
-    table.set("crank_deg", angles);
-  }
-  if (problem.mechanism == kChainWord && problem.topologies.size() == 1) {
-    const Topology& topology = problem.topologies.front();
-    const auto trace = static_cast<std::size_t>(topology.trace);
-    if (trace < topology.lines.size()) table.set("point", topology.lines[trace].name);
-  }
+  write_chain_timing(problem.crank_angles, table);
+  write_traced(problem.mechanism, problem.topologies, table);
   return table;
 }
 

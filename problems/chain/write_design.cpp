@@ -206,6 +206,22 @@ TableWriter chain_solve_writer(const Solve& solve) {
   return TableWriter{}.append(std::move(written));
 }
 
+void write_chain_timing(const std::vector<double>& angles, TableWriter& target) {
+  target.set("timing", angles.empty() ? kFreeDimension : "prescribed");
+  if (angles.empty()) return;
+  Array degrees;
+  for (const double angle : angles) degrees.push_back(node_deg(angle));
+  target.set("crank_deg", degrees);
+}
+
+void write_traced(const std::string& type, const std::vector<Topology>& topologies,
+                  TableWriter& target) {
+  if (type != kChainWord || topologies.size() != 1) return;
+  const Topology& topology = topologies.front();
+  const auto trace = static_cast<std::size_t>(topology.trace);
+  if (trace < topology.lines.size()) target.set("point", topology.lines[trace].name);
+}
+
 void check_one_demand(const std::vector<Topology>& topologies, std::vector<std::string>& faults) {
   const Topology all = merged(topologies);
   for (const Topology& topology : topologies) {

@@ -20,6 +20,13 @@ TableWriter chain_bounds_writer(const std::vector<Topology>& topologies);
 /// `[solve]`. What of it the search has no use for is written for the reader to refuse.
 TableWriter chain_solve_writer(const Solve& solve);
 
+/// `target.timing` and `target.crank_deg` of the crank's `angles`, radians; empty: free.
+void write_chain_timing(const std::vector<double>& angles, TableWriter& target);
+
+/// `target.point` of a chain that the file defines.
+void write_traced(const std::string& type, const std::vector<Topology>& topologies,
+                  TableWriter& target);
+
 /// A fault where topologies demand different things of points of one name, which no file can.
 void check_one_demand(const std::vector<Topology>& topologies, std::vector<std::string>& faults);
 

@@ -7,6 +7,7 @@
 
 #include "problems/guidance/problem.hpp"
 #include "problems/guidance/read_made.hpp"
+#include "problems/guidance/read_poses.hpp"
 #include "problems/layers/link_names.hpp"
 #include "problems/linkage/cycle/read_cycle.hpp"
 #include "problems/linkage/design_layers.hpp"
@@ -23,79 +24,14 @@ namespace {
 
 using synthesis::DyadKind;
 
-constexpr std::string_view kPoses = "poses";
-constexpr std::string_view kSegments = "segments";
 constexpr std::size_t kMostExact = 5;
+constexpr std::size_t kLeast = 2;
 constexpr std::size_t kLeastNearby = 3;  // two poses leave circles undetermined
-constexpr std::size_t kMost = 10000;
-
-// Relative difference of the segments' lengths beyond which they are not one body: far above what
-// printed digits leave, and named in the message.
-constexpr double kSameLength = 1e-6;
-
-constexpr Count kCount{.min = 2, .max = kMost, .of = "poses"};
-
-void read_poses(TableReader& target, MotionProblem& problem) {
-  const auto rows = target.each_row(kPoses, 3, kQuantity, "[x, y, angle_deg]", kCount);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (!rows[i] || kAngle.accepts((*rows[i])[2])) continue;
-    target.faults().add(target.where(kPoses, i),
-                        fmt::format("pose {} of target.poses has the angle {}; expected {}", i + 1,
-                                    (*rows[i])[2], kAngle.allowed));
-  }
-  for (const auto& row : all_or_none(rows).value_or(std::vector<std::vector<double>>{})) {
-    problem.poses.push_back({{row[0], row[1]}, radians(row[2])});
-  }
-}
-
-// Rigid bodies keep their lengths.
-void check_lengths(TableReader& target, const MotionProblem& problem) {
-  std::vector<double> lengths;
-  for (const auto& [first, second] : problem.segments) lengths.push_back(norm(second - first));
-  for (std::size_t i = 0; i < lengths.size(); ++i) {
-    const double difference = lengths[i] - lengths[0];
-    if (lengths[i] > 0 && std::abs(difference) <= kSameLength * lengths[0]) continue;
-    target.faults().add(
-        target.where(kSegments, i),
-        lengths[i] > 0
-            ? fmt::format("segment {} of target.segments is {} long and the first {}, a "
-                          "difference of {}; two points of a rigid body keep their "
-                          "distance, to a part in 1e6",
-                          i + 1, lengths[i], lengths[0], difference)
-            : fmt::format("segment {} of target.segments has no length; expected two different "
-                          "points of the body",
-                          i + 1));
-    if (lengths[0] <= 0) return;
-  }
-}
-
-void read_segments(TableReader& target, MotionProblem& problem) {
-  const auto read = target.each_segment(kSegments, kQuantity, "[[x1, y1], [x2, y2]]", kCount);
-  const auto segments = all_or_none(read);
-  if (!segments) return;
-  std::vector<Vec2d> firsts, seconds;
-  for (const auto& [first, second] : *segments) {
-    firsts.push_back({first[0], first[1]});
-    seconds.push_back({second[0], second[1]});
-    problem.segments.push_back({firsts.back(), seconds.back()});
-  }
-  check_lengths(target, problem);
-  const auto body = synthesis::poses_of_segment(firsts, seconds);
-  problem.poses = body.poses;
-}
 
 void read_target(TableReader& target, MotionProblem& problem) {
-  const bool has_poses = target.has(kPoses), has_segments = target.has(kSegments);
-  if (has_poses && has_segments) {
-    target.fault(kSegments, "is given beside target.poses; give one of the two");
-  } else if (!has_poses && !has_segments) {
-    target.fault(
-        kPoses,
-        "is missing; expected two poses or more, [x, y, angle_deg], or target.segments, the places "
-        "[[x1, y1], [x2, y2]] of two points of the body");
-  }
-  if (has_poses) read_poses(target, problem);
-  if (has_segments && !has_poses) read_segments(target, problem);
+  GivenPoses given = read_poses(target, kLeast);
+  problem.poses = std::move(given.poses);
+  problem.segments = std::move(given.segments);
 }
 
 void read_method(TableReader& target, MotionProblem& problem) {

@@ -33,7 +33,7 @@ struct Assembled {
       add_pin(line, index);
     } else if (line.type == LineType::third_link) {
       third_from = line.first;
-    } else if (line.type == LineType::drawn) {
+    } else if (line.type == LineType::drawn || line.type == LineType::heading) {
       return;
     } else if (line.type == LineType::crank) {
       bodies.push_back({line.first, index});

@@ -19,6 +19,8 @@ namespace cognate::synthesis {
 ///                left of the direction (radians from the x axis)
 ///     slider     RRP: the pin of a slider on the guide `second`, joined     length
 ///                by a link to `first`
+///     heading    the direction of a body, that of the attached point        angle from the
+///                `first`, which is its point                                body's first axis
 ///
 /// A link with three pins (class III, see held_link.hpp) takes six lines, one after the other:
 ///
@@ -39,6 +41,7 @@ enum class LineType {
   attached,
   guide,
   slider,
+  heading,
   third_link,
   drawn,
   first_pin,
@@ -53,6 +56,7 @@ constexpr int parameter_count(LineType type) {
   switch (type) {
     case LineType::crank:
     case LineType::slider:
+    case LineType::heading:
     case LineType::third_link:
     case LineType::first_pin:
       return 1;
@@ -67,7 +71,7 @@ constexpr bool has_dimensions(LineType type) {
 }
 
 /// What a parameter is: it says how it changes when a chain is moved, turned and enlarged.
-enum class ParameterRole { x, y, length, along, across, direction, offset };
+enum class ParameterRole { x, y, length, along, across, direction, offset, body_angle };
 
 constexpr ParameterRole parameter_role(LineType type, int index) {
   switch (type) {
@@ -79,6 +83,8 @@ constexpr ParameterRole parameter_role(LineType type, int index) {
       return index == 0 ? ParameterRole::along : ParameterRole::across;
     case LineType::guide:
       return index == 0 ? ParameterRole::direction : ParameterRole::offset;
+    case LineType::heading:
+      return ParameterRole::body_angle;
     default:
       return ParameterRole::length;
   }

@@ -101,6 +101,10 @@ void fit_chains(const ChainFit& problem, std::span<ChainFitState> states,
   task.target_x = problem.x.data();
   task.target_y = problem.y.data();
   task.root_weight = problem.root_weight.data();
+  task.heading = problem.heading;
+  task.heading_x = problem.heading_x.data();
+  task.heading_y = problem.heading_y.data();
+  task.angle_weight = problem.angle_weight;
   const bool timed = !problem.crank_angles.empty();
   task.crank_x = timed ? cranks.x.data() : nullptr;
   task.crank_y = timed ? cranks.y.data() : nullptr;

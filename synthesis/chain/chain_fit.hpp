@@ -13,17 +13,23 @@
 namespace cognate::synthesis {
 
 /// What is fitted: the parameters `free` of `chain`, so that its point `trace` comes near the
-/// targets. Crank angles are further unknowns; of a timed path their phase alone is one.
+/// targets; of a motion a heading, too, comes near the directions wanted. Crank angles are further
+/// unknowns; of a timed path their phase alone is one.
 struct ChainFit {
   Chain chain;
   int trace = 0;
   std::vector<double> x, y, root_weight;  ///< of each target; errors are multiplied by the latter
-  std::vector<double> crank_angles;       ///< timed: of each target, else empty
-  bool closed = false;                    ///< the first target follows the last
-  std::vector<int> free;                  ///< parameters, ascending
-  std::vector<double> lower, upper;       ///< of each; infinite where there is no bound
-  std::vector<int> joints;                ///< lines of the dyads whose transmission is limited
-  double cosine_limit = 1;                ///< the greatest |cos μ| of these
+  /// Of a motion: the line of the body's heading, the direction wanted at each target, and the
+  /// length that a radian counts.
+  int heading = -1;
+  std::vector<double> heading_x, heading_y;
+  double angle_weight = 0;
+  std::vector<double> crank_angles;  ///< timed: of each target, else empty
+  bool closed = false;               ///< the first target follows the last
+  std::vector<int> free;             ///< parameters, ascending
+  std::vector<double> lower, upper;  ///< of each; infinite where there is no bound
+  std::vector<int> joints;           ///< lines of the dyads whose transmission is limited
+  double cosine_limit = 1;           ///< the greatest |cos μ| of these
   int checks = 36;  ///< positions of the turn at which they are limited; 0: at the targets
 };
 

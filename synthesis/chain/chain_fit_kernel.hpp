@@ -11,9 +11,12 @@ namespace cognate::synthesis {
 struct ChainFitTask {
   const PlacedLine* line;
   int lines, parameters;
-  int trace;  ///< the line of the point that is fitted
+  int trace;    ///< the line of the point that is fitted
+  int heading;  ///< of a motion: the line of the heading that is; else below 0
   int points;
   const double *target_x, *target_y, *root_weight;
+  const double *heading_x, *heading_y;  ///< of a motion: the direction wanted at each point
+  double angle_weight;                  ///< the length that a radian counts
   const double *crank_x, *crank_y;  ///< timed: directions of the crank but for the phase; else null
   bool closed;                      ///< the first point follows the last
   int unknowns;

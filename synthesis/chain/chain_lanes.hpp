@@ -4,13 +4,15 @@
 /// The crank angle of a free point touches its own two residuals alone: with τ the direction of
 /// the path there, what is across it stays as one row, and the angle follows by −τ·(r + J dx)/|P′|
 /// (orthogonal distance regression: Boggs, Byrd & Schnabel 1987, "A stable and efficient algorithm
-/// for nonlinear orthogonal distance regression"). Angles keep their order: what a step would bring
-/// out of it is moved to the nearest angles that are in order.
+/// for nonlinear orthogonal distance regression"). Of a pose's three
+/// residuals two rows stay, those across the way of all three.
 #pragma once
 
 #include "synthesis/chain/chain_fit_kernel.hpp"
+#include "synthesis/chain/crank_angle_lanes.hpp"
+#include "synthesis/chain/heading.hpp"
+#include "synthesis/chain/pose_lanes.hpp"
 #include "synthesis/chain/sweep.hpp"
-#include "synthesis/lanes/lane_directions.hpp"
 #include "synthesis/lanes/lane_fit.hpp"
 
 namespace cognate::synthesis::COGNATE_ISA {
@@ -74,10 +76,11 @@ class ChainLanes {
 
   void linearise(Equations& equations) {
     equations.clear(unknowns());
+    along_ = Real(0.0);
     const View chain = view(here_), limited = upto_joints(chain);
     for (int j = 0; j < task_.points; ++j) {
       place_at(j, chain, crank_);
-      timed_ ? add_timed(chain, j, equations) : add_free(chain, j, equations);
+      is_motion() ? add_pose(chain, j, equations) : add_point(chain, j, equations);
       if (task_.checks == 0) add_transmission(chain, equations);
     }
     for (int i = 0; i < task_.checks; ++i) {
@@ -115,7 +118,8 @@ class ChainLanes {
     Real sum(0.0);
     for (int j = 0; j < task_.points; ++j) {
       place_at(j, chain, next_crank_);
-      sum = sum + squared_norm(Real(task_.root_weight[j]) * (place_.at[task_.trace] - target(j)));
+      sum = sum + (is_motion() ? squared_pose_error(chain, j)
+                               : squared_norm(weight(j) * (place_.at[task_.trace] - target(j))));
       if (task_.checks == 0) sum = sum + transmission_cost(chain);
     }
     for (int i = 0; i < task_.checks; ++i) {
@@ -135,11 +139,12 @@ class ChainLanes {
  private:
   using View = ChainView<Real>;
 
-  static constexpr double kMostTurn = 0.3;    ///< of a crank angle in one step
-  static constexpr double kLeastShare = 0.1;  ///< of the step between two angles that must be left
+  static constexpr double kMostTurn = 0.3;  ///< of a crank angle in one step
 
   int angles() const { return timed_ ? 1 : task_.points; }
   View view(const Real* parameters) const { return {task_.line, task_.lines, parameters, side_}; }
+  bool is_motion() const { return task_.heading >= 0; }
+  Real weight(int j) const { return Real(task_.root_weight[j]); }
   Direction target(int j) const { return {Real(task_.target_x[j]), Real(task_.target_y[j])}; }
   Direction check(int i) const { return {Real(task_.check_x[i]), Real(task_.check_y[i])}; }
 
@@ -215,29 +220,93 @@ class ChainLanes {
     return turn;
   }
 
+  void add_point(const View& chain, int j, Equations& equations) {
+    timed_ ? add_timed(chain, j, equations) : add_free(chain, j, equations);
+  }
+
   void add_timed(const View& chain, int j, Equations& equations) {
-    const Real weight(task_.root_weight[j]), zero(0.0);
-    const Direction error = weight * (place_.at[task_.trace] - target(j));
+    const Real own = weight(j), zero(0.0);
+    const Direction error = own * (place_.at[task_.trace] - target(j));
     Real row[kMostUnknowns];
-    row[task_.unknowns] = row_of(chain, {weight, zero}, row);
+    row[task_.unknowns] = row_of(chain, {own, zero}, row);
     equations.add(error.x, row, unknowns());
-    row[task_.unknowns] = row_of(chain, {zero, weight}, row);
+    row[task_.unknowns] = row_of(chain, {zero, own}, row);
     equations.add(error.y, row, unknowns());
-    along_ = zero;
   }
 
   void add_free(const View& chain, int j, Equations& equations) {
-    if (j == 0) along_ = Real(0.0);
-    move(chain, place_, Real(1.0), static_cast<const Real*>(nullptr), velocity_);
+    move_by_crank(chain);
     const Direction path = velocity_[task_.trace], error = place_.at[task_.trace] - target(j);
-    const Real weight(task_.root_weight[j]);
     const Direction along = (Real(1.0) / (root(squared_norm(path)) + Real(1e-300))) * path;
     Real row[kMostUnknowns];
-    row_of(chain, weight * perp(along), row);
-    equations.add(weight * cross(along, error), row, task_.unknowns);
-    const Real tangential = weight * dot(along, error);
-    equations.cost = equations.cost + tangential * tangential;
-    along_ = along_ + tangential * tangential;
+    row_of(chain, weight(j) * perp(along), row);
+    equations.add(weight(j) * cross(along, error), row, task_.unknowns);
+    add_along(weight(j) * dot(along, error), equations);
+  }
+
+  /// The part of an error that the crank's own step takes away.
+  void add_along(const Real& error, Equations& equations) {
+    equations.cost = equations.cost + error * error;
+    along_ = along_ + error * error;
+  }
+
+  void move_by_crank(const View& chain) {
+    move(chain, place_, Real(1.0), static_cast<const Real*>(nullptr), velocity_);
+  }
+
+  PoseError pose_error(const View& chain, int j) const {
+    return synthesis::COGNATE_ISA::pose_error(task_, chain, place_, j);
+  }
+
+  Real squared_pose_error(const View& chain, int j) const {
+    const Residual error = pose_error(chain, j).residual;
+    return dot(error, error);
+  }
+
+  Residual pose_rate(const View& chain, int j, const Real& slope, const Real& own) const {
+    const Direction path = weight(j) * velocity_[task_.trace];
+    return {path.x, path.y, slope * heading_rate(chain, place_, task_.heading, velocity_, own)};
+  }
+
+  /// The derivatives of `direction`·residual by the unknowns; returns that by the crank's angle.
+  Real row_of_pose(const View& chain, int j, const Residual& direction, const Real& slope,
+                   Real* row) {
+    for (int i = 0; i < task_.parameters; ++i) gradient_[i] = Real(0.0);
+    for (int k = 0; k < task_.trace; ++k) seed_[k] = {Real(0.0), Real(0.0)};
+    seed_[task_.trace] = weight(j) * Direction{direction.x, direction.y};
+    seed_heading(chain, place_, task_.heading, slope * direction.turn, seed_, gradient_);
+    const Real turn = sweep_back(chain, place_, task_.trace, seed_, gradient_);
+    for (int i = 0; i < task_.unknowns; ++i) row[i] = gradient_[task_.unknown[i]];
+    return turn;
+  }
+
+  void add_pose(const View& chain, int j, Equations& equations) {
+    const PoseError error = pose_error(chain, j);
+    timed_ ? add_timed_pose(chain, j, error, equations) : add_free_pose(chain, j, error, equations);
+  }
+
+  void add_timed_pose(const View& chain, int j, const PoseError& error, Equations& equations) {
+    const Real zero(0.0), one(1.0);
+    const Residual axes[] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+    Real row[kMostUnknowns];
+    for (const Residual& axis : axes) {
+      row[task_.unknowns] = row_of_pose(chain, j, axis, error.slope, row);
+      equations.add(dot(axis, error.residual), row, unknowns());
+    }
+  }
+
+  void add_free_pose(const View& chain, int j, const PoseError& error, Equations& equations) {
+    move_by_crank(chain);
+    const Residual rate = pose_rate(chain, j, error.slope, Real(0.0));
+    const Residual along = (Real(1.0) / (root(dot(rate, rate)) + Real(1e-300))) * rate;
+    Residual kept[2];
+    across(along, choose(along.turn < Real(0.0), Real(-1.0), Real(1.0)), kept[0], kept[1]);
+    Real row[kMostUnknowns];
+    for (const Residual& direction : kept) {
+      row_of_pose(chain, j, direction, error.slope, row);
+      equations.add(dot(direction, error.residual), row, task_.unknowns);
+    }
+    add_along(dot(along, error.residual), equations);
   }
 
   /// Not a number where the cosine is none: a chain that does not close has no cost.
@@ -275,21 +344,30 @@ class ChainLanes {
   }
 
   void turn_all(const Real& step) {
-    store(load(angle_) + Real(2.0) * tangent_angle(step), next_angle_);
+    store(load(angle_) + Real(2.0) * half_angle(step), next_angle_);
     const Direction now = turned({load(crank_), load(crank_ + kLanes)}, Real(0.5) * step);
     const Direction next = turned(now, Real(0.5) * step);
     store(next.x, next_crank_);
     store(next.y, next_crank_ + kLanes);
   }
 
-  /// arctan(step/2) where |step| ≤ kMostTurn, to rounding.
-  static Real tangent_angle(const Real& step) {
-    const Real t = Real(0.5) * step, s = t * t;
-    Real sum(0.0);
-    for (int power = 19; power >= 1; power -= 2) {
-      sum = sum * s + Real((power / 2) % 2 == 0 ? 1.0 / power : -1.0 / power);
-    }
-    return t * sum;
+  /// Of the crank, to where the point is nearest to target j once the dimensions have changed.
+  Real step_to_point(const View& chain, int j) {
+    move_by_crank(chain);
+    const Direction path = velocity_[task_.trace];
+    move(chain, place_, Real(0.0), rate_, velocity_);
+    const Direction ahead = place_.at[task_.trace] - target(j) + velocity_[task_.trace];
+    return -dot(path, ahead) / (squared_norm(path) + Real(1e-300));
+  }
+
+  /// The same of pose j.
+  Real step_to_pose(const View& chain, int j) {
+    const auto [error, slope] = pose_error(chain, j);
+    move_by_crank(chain);
+    const Residual path = pose_rate(chain, j, slope, Real(0.0));
+    move(chain, place_, Real(0.0), rate_, velocity_);
+    const Residual by = pose_rate(chain, j, slope, rate_[task_.line[task_.heading].parameter]);
+    return -(dot(path, error) + dot(path, by)) / (dot(path, path) + Real(1e-300));
   }
 
   void turn_each(const Real& damping) {
@@ -297,15 +375,11 @@ class ChainLanes {
     const Real share = Real(1.0) / (Real(1.0) + damping);
     for (int j = 0; j < task_.points; ++j) {
       place_at(j, chain, crank_);
-      move(chain, place_, Real(1.0), static_cast<const Real*>(nullptr), velocity_);
-      const Direction path = velocity_[task_.trace];
-      move(chain, place_, Real(0.0), rate_, velocity_);
-      const Direction ahead = place_.at[task_.trace] - target(j) + velocity_[task_.trace];
-      const Real step = -share * dot(path, ahead) / (squared_norm(path) + Real(1e-300));
+      const Real step = share * (is_motion() ? step_to_pose(chain, j) : step_to_point(chain, j));
       const Real turn = larger(Real(-kMostTurn), smaller(Real(kMostTurn), step));
       store(load(angle_ + j * kLanes) + turn, next_angle_ + j * kLanes);
     }
-    keep_order();
+    keep_order(angle_, next_angle_, next_crank_, task_.points, task_.closed);  // cranks follow
     for (int j = 0; j < task_.points; ++j) {
       const Real turn = load(next_angle_ + j * kLanes) - load(angle_ + j * kLanes);
       const double* from = crank_ + 2 * j * kLanes;
@@ -313,59 +387,6 @@ class ChainLanes {
       const Direction next = Direction{load(from), load(from + kLanes)} * small_rotation(turn);
       store(next.x, to);
       store(next.y, to + kLanes);
-    }
-  }
-
-  /// e^{i·angle} to rounding where |angle| is at most some kMostTurn; normalised, so that errors do
-  /// not grow.
-  static Direction small_rotation(const Real& angle) {
-    const Real s = angle * angle;
-    const Real cosine =
-        Real(1.0) +
-        s * (Real(-1.0 / 2) +
-             s * (Real(1.0 / 24) +
-                  s * (Real(-1.0 / 720) + s * (Real(1.0 / 40320) - s * Real(1.0 / 3628800)))));
-    const Real sine =
-        angle *
-        (Real(1.0) +
-         s * (Real(-1.0 / 6) +
-              s * (Real(1.0 / 120) +
-                   s * (Real(-1.0 / 5040) + s * (Real(1.0 / 362880) - s * Real(1.0 / 39916800))))));
-    return {cosine, sine};
-  }
-
-  Real angle_at(const double* array, int j) const { return load(array + j * kLanes); }
-
-  /// The half-way angles between two sequences that are in order, one pushed forwards from the
-  /// first angle, one backwards from the last. Of each gap a share of what it was is left.
-  void keep_order() {
-    const int last = task_.points - 1;
-    const Real share(kLeastShare), turn(2 * 3.14159265358979323846);
-    const Real sense = choose(angle_at(angle_, last) > angle_at(angle_, 0), Real(1.0), Real(-1.0));
-    const auto gap = [&](int j) {
-      return share * magnitude(angle_at(angle_, j) - angle_at(angle_, j - 1));
-    };
-    const Real seam = turn - magnitude(angle_at(angle_, last) - angle_at(angle_, 0));
-    const Real most = task_.closed ? turn - share * seam : Real(1e300);
-    const auto next = [&](int j) { return sense * angle_at(next_angle_, j); };
-    double* pushed = next_crank_;  // free until the cranks are turned
-    Real before = larger(next(0), next(last) - most);
-    store(before, pushed);
-    for (int j = 1; j <= last; ++j) {
-      before = larger(next(j), before + gap(j));
-      store(before, pushed + j * kLanes);
-    }
-    Real after = smaller(next(last), next(0) + most);
-    for (int j = last; j >= 0; --j) {
-      if (j < last) after = smaller(next(j), after - gap(j + 1));
-      store(Real(0.5) * (after + load(pushed + j * kLanes)), pushed + j * kLanes);
-    }
-    // Both sequences may together go more than once round: what is too much is cut off at the ends.
-    const Real first = load(pushed), end = load(pushed + last * kLanes);
-    const Real excess = Real(0.5) * larger(Real(0.0), end - first - most);
-    for (int j = 0; j <= last; ++j) {
-      const Real within = larger(first + excess, smaller(end - excess, load(pushed + j * kLanes)));
-      store(sense * within, next_angle_ + j * kLanes);
     }
   }
 

@@ -22,7 +22,8 @@ struct ChainPlace {
   Vec2<T> crank;             ///< the direction of the crank
   Vec2<T> at[kMostLines];    ///< the points
   Vec2<T> axis[kMostLines];  ///< of attached points: the first axis of their body; of guides: their
-                             ///< direction; of the links that hold a three-pin link: where the
+                             ///< direction; of headings: theirs in the axes of their body; of the
+                             ///< links that hold a three-pin link: where the
                              ///< points are that hold it
   T inverse[kMostLines];     ///< of attached points: one over the distance of the two points; of
                              ///< first pins the determinant of the closure

@@ -75,6 +75,10 @@ void place_lines(const ChainView<T>& chain, const Vec2<T>& crank, ChainPlace<T>&
         if constexpr (Keeps == Kept::nothing) out.axis[k] = {cos(own[0]), sin(own[0])};
         out.at[k] = out.at[line.first] + own[1] * perp(out.axis[k]);
         break;
+      case LineType::heading:
+        if constexpr (Keeps == Kept::nothing) out.axis[k] = {cos(own[0]), sin(own[0])};
+        out.at[k] = out.at[line.first];
+        break;
       case LineType::slider:
         out.at[k] = slider_pin(out.at[line.first], out.at[line.second], out.axis[line.second],
                                own[0], chain.side[k]);
@@ -186,6 +190,7 @@ void move(const ChainView<T>& chain, const ChainPlace<T>& at, const T& turn, con
         velocity[k] = (T(1) / cross(u, v)) * (along_v * perp(u) - along_u * perp(v));
         break;
       }
+      case LineType::heading:
       case LineType::third_link:
         velocity[k] = velocity[line.first];
         break;
@@ -264,6 +269,7 @@ T sweep_back(const ChainView<T>& chain, const ChainPlace<T>& at, int last, Vec2<
       case LineType::first_pin:
         sweep_back_pins(chain, at, k - kFirstPin, seed, gradient);
         break;
+      case LineType::heading:  // by `seed_heading`
       case LineType::third_link:
       case LineType::drawn:
       case LineType::second_pin:

@@ -26,9 +26,10 @@ inline void transform(std::span<const PlacedLine> lines, const Vec2d& turn, cons
       continue;
     }
     for (int i = 0; i < parameter_count(line.type); ++i) {
-      if (parameter_role(line.type, i) == ParameterRole::direction) {
+      const ParameterRole role = parameter_role(line.type, i);
+      if (role == ParameterRole::direction) {
         own[i] = std::remainder(own[i] + angle, 2 * std::numbers::pi);
-      } else {
+      } else if (role != ParameterRole::body_angle) {
         own[i] *= size;
       }
     }

@@ -85,9 +85,10 @@ def from_axes(first, second, at):
     return first + (second - first) / abs(second - first) * at
 
 
-def planted(kind, rng, least_deg, samples=720):
+def planted(kind, rng, least_deg, samples=720, body=None):
     """The path over a turn of a random mechanism of the type three-pin-1 or three-pin-2, with a
-    crank of length 1 about the origin."""
+    crank of length 1 about the origin; with the angle `body` of a body in the link that carries the
+    point, (point, angle) of that."""
     def log_uniform(low, high):
         return math.exp(rng.uniform(math.log(low), math.log(high)))
 
@@ -111,8 +112,13 @@ def planted(kind, rng, least_deg, samples=720):
         moved = turn(plate, holders_at, samples)
         if moved is None or moved[1] < least_deg:
             continue
-        return [from_axes(holders[0], ends[0], point) if kind == 1
-                else from_axes(ends[0], ends[1], point) for holders, ends in moved[0]]
+        carriers = [(holders[0], ends[0]) if kind == 1 else (ends[0], ends[1])
+                    for holders, ends in moved[0]]
+        path = [from_axes(*carrier, point) for carrier in carriers]
+        if body is None:
+            return path
+        return [(at, cmath.phase(second - first) + body)
+                for at, (first, second) in zip(path, carriers)]
 
 
 def at_equal_arcs(path, count):
@@ -145,6 +151,7 @@ class Design:
         lengths = [joint["at"][0][0] for joint in joints[3:]]
         place = complex(*group["at"][3]), cmath.rect(1, math.radians(group["direction_deg"][3]))
         self.plate = Plate(self.pins, lengths, place)
+        self.began = place
         self.names = [joint["name"] for joint in joints]
 
     def holders_at(self, angle):
@@ -155,6 +162,19 @@ class Design:
             if all(name in at for name in row["on"]):
                 at[row["name"]] = from_axes(*(at[name] for name in row["on"]), complex(*row["at"]))
         return [at[name] for name in self.names[:3]]
+
+    def places_after(self, angle, steps=360):
+        """Every point by name, the crank having turned from angle 0."""
+        self.plate.place = self.began
+        for i in range(steps + 1):
+            holders = self.holders_at(angle * i / steps)
+            if not self.plate.close(holders):
+                return None
+        at = dict(zip(self.names, [*holders, *self.plate.ends()]))
+        for row in self.mechanism["point"]:
+            if all(name in at for name in row["on"]):
+                at[row["name"]] = from_axes(*(at[name] for name in row["on"]), complex(*row["at"]))
+        return at
 
     def path(self, name, samples):
         """The path of a point over a turn, and the least transmission angle; None where the

@@ -1,7 +1,8 @@
-"""Paths of planted six-bars and eight-bars, their points disturbed: what the program finds.
+"""Paths of planted six-bars and eight-bars, or motions of the link that traces them, their points
+and poses disturbed: what the program finds.
 
 Run as: planted_chains.py PROGRAM [--count N] [--seed S] [--seeds K] [--noise SHARE...]
-[--topologies stephenson-3 watt-1 eight-bar-1] [--any] [--targets closed open timed]
+[--topologies stephenson-3 watt-1 eight-bar-1] [--any] [--targets closed open timed] [--motions]
 The planted chain closes over the whole turn, within the limit on the transmission angles of a
 problem with limits, and passes the points in order; the squares of the noise are its error. A
 design worse than that, or none, is missed. With --any the file specifies a six-bar or an eight-bar,
@@ -88,11 +89,18 @@ def angles_of(rng, target):
     return [start + span * k / (count - 1) for k in range(count)]
 
 
-def planter(topology, asked, target):
+def directions(topology, places):
+    """Of the link that carries P."""
+    _, first, second = TOPOLOGIES[topology][-1]
+    return [cmath.phase(at[second] - at[first]) for at in places]
+
+
+def planter(topology, asked, target, motion):
     def plant(rng, noise, limited, _wanted):
         chain, least = random_chain(rng, TOPOLOGIES[topology])
         angles = angles_of(rng, target)
-        points = [chain.places(angle)[0]["P"] for angle in angles]
+        places = [chain.places(angle)[0] for angle in angles]
+        points = [at["P"] for at in places]
         size = planting.size_of(points)
         if size < 0.1:
             return plant(rng, noise, limited, _wanted)
@@ -103,7 +111,16 @@ def planter(topology, asked, target):
                   for _ in points]
         rows = [[(moved + placed * at + miss).real, (moved + placed * at + miss).imag]
                 for at, miss in zip(points, misses)]
-        text = f'kind = "path-generation"\n[target]\npoints = {rows}\n'
+        error = sum(abs(miss) ** 2 for miss in misses)
+        if motion:
+            body = rng.uniform(0, TURN)
+            wrong = [rng.gauss(0, 1) * noise for _ in rows]
+            for row, direction, miss in zip(rows, directions(topology, places), wrong):
+                row.append(math.degrees(direction + body + miss))
+            error += sum((size * miss) ** 2 for miss in wrong)
+        kind, key = ("motion", "poses") if motion else ("path", "points")
+        text = f'kind = "{kind}-generation"\n[target]\n{key} = {rows}\n'
+        text += f"angle_weight = {size!r}\n" if motion else ""
         text += f"closed = {'true' if target == 'closed' else 'false'}\n"
         if target == "timed":
             text += f'timing = "prescribed"\ncrank_deg = {[math.degrees(a) for a in angles]}\n'
@@ -111,7 +128,7 @@ def planter(topology, asked, target):
         if limited:
             low = least - rng.uniform(0.01, 3)
             text += f"[constraints]\ntransmission_angle_deg = [{low!r}, {180 - low!r}]\n"
-        return text, sum(abs(miss) ** 2 for miss in misses), len(points) * size**2
+        return text, error, len(points) * size**2
     return plant
 
 
@@ -120,6 +137,7 @@ def main():
     planting.add_arguments(parser, 10)
     parser.add_argument("--topologies", nargs="*", default=list(TOPOLOGIES), choices=list(TOPOLOGIES))
     parser.add_argument("--targets", nargs="*", default=["closed", "open", "timed"])
+    parser.add_argument("--motions", action="store_true", help="of the link that carries the point")
     parser.add_argument("--any", action="store_true", help="let the program find the topology")
     arguments = parser.parse_args()
     # 0.01 % of the diagonal, which is about three times the size.
@@ -129,8 +147,9 @@ def main():
         family = "eight-bar" if topology.startswith("eight") else "six-bar"
         asked = family if arguments.any else topology
         for target in arguments.targets:
-            status |= planting.run(arguments, f"{topology} asked as {asked}, {target} path",
-                                   planter(topology, asked, target))
+            what = "motion" if arguments.motions else "path"
+            status |= planting.run(arguments, f"{topology} asked as {asked}, {target} {what}",
+                                   planter(topology, asked, target, arguments.motions))
     sys.exit(status)
 
 

@@ -59,6 +59,7 @@ cognate_page_kernel(sketch_kernel
   problems/chain/space.cpp
   problems/chain/starts/alignment.cpp
   problems/chain/starts/draw.cpp
+  problems/chain/starts/heading.cpp
   problems/chain/starts/known.cpp
   problems/chain/starts/placed.cpp
   problems/chain/three_pin/group.cpp

@@ -94,6 +94,7 @@ class Drawing {
       case LineType::attached:
         return draw_attached(k);
       case LineType::guide:
+      case LineType::heading:
         return true;
       case LineType::slider:
         return draw_slider(k);

@@ -1,10 +1,12 @@
 #include "problems/chain/starts/known.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 
 #include "analysis/numbers/angle.hpp"
 #include "problems/basics/quantity_key.hpp"
+#include "problems/chain/starts/heading.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -32,6 +34,18 @@ std::vector<double> unrolled(const std::vector<double>& angles) {
   return way(forward) <= way(backward) ? forward : backward;
 }
 
+/// The line of the body's heading, which mechanisms do not have.
+void add_heading(synthesis::ChainDesign& design) {
+  design.parameters.push_back(0);
+  design.side.push_back(0);
+}
+
+std::vector<std::size_t> all_of(const std::vector<double>& angles) {
+  std::vector<std::size_t> all(angles.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
 }  // namespace
 
 std::vector<ChainMinimum> known_starts(const std::vector<Design>& known,
@@ -45,10 +59,13 @@ std::vector<ChainMinimum> known_starts(const std::vector<Design>& known,
                                          [](const ScaledChain& one) { return one.topology->name; });
     if (chain == chains.end() || design.crank_angles.size() != chain->points.size()) continue;
     std::vector<double> angles = unrolled(design.crank_angles);
+    auto dimensions_known = dimensions(*chain->topology, design.mechanism);
+    if (chain->is_motion()) add_heading(dimensions_known);
+    auto start = within_bounds(*chain, scale.into(chain->chain, dimensions_known));
+    if (chain->is_motion()) turn_body(*chain, all_of(angles), angles, start);
     if (chain->timed()) angles = {angles.front() - chain->crank_angles.front()};
-    const auto dimensions_known = dimensions(*chain->topology, design.mechanism);
-    starts.push_back({&*chain, within_bounds(*chain, scale.into(chain->chain, dimensions_known)),
-                      std::move(angles), design.error.rms / scale.size, 0});
+    starts.push_back(
+        {&*chain, std::move(start), std::move(angles), design.error.rms / scale.size, 0});
   }
   return starts;
 }

@@ -85,6 +85,7 @@ void expect_reads_back(const Problem& problem) {
                          std::is_same_v<Problem, problems::MachineProblem> ||
                          std::is_same_v<Problem, problems::ChainPathProblem> ||
                          std::is_same_v<Problem, problems::ChainFunctionProblem> ||
+                         std::is_same_v<Problem, problems::ChainMotionProblem> ||
                          std::is_same_v<Problem, problems::DwellProblem> ||
                          std::is_same_v<Problem, problems::LegProblem>;
   const auto file = in_tables ? toml_of_analysis(written) : toml_of(written);

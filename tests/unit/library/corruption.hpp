@@ -312,6 +312,12 @@ inline void show(Corruption& to, ChainFunctionProblem& p) {
   show(to, p.solve);
 }
 
+inline void show(Corruption& to, ChainMotionProblem& p) {
+  to(p.mechanism, p.topologies, p.poses, p.closed, p.crank_angles, p.angle_weight,
+     p.constraints.transmission_angle, p.constraints.over, p.constraints.rms_error_max);
+  show(to, p.solve);
+}
+
 inline void show(Corruption& to, DwellProblem& p) {
   to(p.mechanism, p.topologies, p.output, p.dwells, p.apart, p.swing_min,
      p.constraints.transmission_angle);

@@ -59,6 +59,9 @@ Result answer(const ChainPathProblem& p, const Run& run) {
 Result answer(const ChainFunctionProblem& p, const Run& run) {
   return solve(p, run);
 }
+Result answer(const ChainMotionProblem& p, const Run& run) {
+  return solve(p, run);
+}
 Result answer(const DwellProblem& p, const Run& run) {
   return solve(p, run);
 }

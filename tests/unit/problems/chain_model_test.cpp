@@ -85,6 +85,28 @@ TEST(ChainPathModel, DerivativesOfAPathThatMayBeMovedAreThoseOfTheValues) {
   }
 }
 
+TEST(ChainPathModel, DerivativesOfAMotionAreThoseOfTheValues) {
+  for (const SixBar& six_bar : six_bars()) {
+    for (const bool timed : {false, true}) {
+      SCOPED_TRACE(std::string(six_bar.name) + (timed ? " timed" : " free"));
+      const ChainPathProblem problem = path_of(six_bar, timed);
+      ScaledChain scaled(problem, problem.topologies.front(), TargetScale{});
+      std::vector<double> wanted, angles;
+      for (int j = 0; j < 12; ++j) wanted.push_back(0.9 * std::sin(2.0 * j));
+      for (int j = 0; j < (timed ? 1 : 12); ++j) angles.push_back(0.02 + kTurn * j / 12);
+      scaled.add_headings(wanted, 0.7);
+      synthesis::ChainDesign design = six_bar.design;
+      design.parameters.push_back(0.3);
+      design.side.push_back(0);
+      const ChainPathModel model(scaled, design, angles, {}, {{six_bar.first_joint, 0.7}}, 0.01);
+      EXPECT_EQ(model.residual_count(), 36);
+      const auto error = synthesis::check_derivatives(model, model.start());
+      ASSERT_TRUE(error.has_value);
+      EXPECT_LT(error.relative, 1e-8) << error.describe(model);
+    }
+  }
+}
+
 /// A dwell of 100 degrees with a known design: half band 0.001863°, window from 211.23°.
 struct KnownDwell {
   DwellProblem problem;

@@ -1,0 +1,146 @@
+#include "problems/layers/read.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "analysis/numbers/constants.hpp"
+#include "problems/chain/read_design.hpp"
+#include "problems/chain/read_target.hpp"
+#include "problems/chain/read_tolerances.hpp"
+#include "problems/chain_motion/problem.hpp"
+#include "problems/guidance/read_poses.hpp"
+#include "problems/linkage/design_layers.hpp"
+#include "problems/linkage/read_constraints.hpp"
+#include "problems/linkage/warnings.hpp"
+#include "problems/mechanism/named_mechanism.hpp"
+#include "problems/mechanism/quantity_rules.hpp"
+
+namespace cognate::problems {
+namespace reading {
+namespace {
+
+constexpr std::string_view kType = "type";
+constexpr std::size_t kLeastPoses = 3;
+
+std::vector<std::string_view> motion_types() {
+  std::vector<std::string_view> words;
+  for (const TopologyWord& topology : topology_words()) words.push_back(topology.word);
+  words.push_back(kChainWord);
+  return words;
+}
+
+bool is_same(const synthesis::Pose& a, const synthesis::Pose& b) {
+  return norm(a.at - b.at) == 0 && std::remainder(a.angle - b.angle, kTurn) == 0;
+}
+
+void check_poses(TableReader& target, const GivenPoses& given) {
+  const std::string_view key = given.segments.empty() ? "poses" : "segments";
+  const auto& poses = given.poses;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    if (!is_same(poses[i - 1], poses[i])) continue;
+    target.faults().add(target.where(key, i),
+                        fmt::format("pose {} of target.{} repeats pose {}; neighbouring poses must "
+                                    "differ (only the last may repeat the first)",
+                                    i + 1, key, i));
+  }
+  const bool has_way = std::ranges::any_of(
+      poses, [&](const synthesis::Pose& pose) { return norm(pose.at - poses.front().at) > 0; });
+  if (poses.empty() || has_way) return;
+  target.fault(key,
+               "have the body's origin at one place: a link that turns about a fixed pivot there "
+               "meets them; expected places that differ, or another point of the body as its "
+               "origin");
+}
+
+/// Returns whether the last pose was the first again and is left out.
+bool read_body(TableReader& target, ChainMotionProblem& problem) {
+  const auto closed = target.boolean("closed");
+  GivenPoses given = read_poses(target, kLeastPoses);
+  check_poses(target, given);
+  problem.poses = std::move(given.poses);
+  if (problem.poses.empty()) return false;
+  const bool repeats =
+      problem.poses.size() > kLeastPoses && is_same(problem.poses.front(), problem.poses.back());
+  problem.closed = closed.value_or(repeats);
+  const bool dropped = problem.closed && repeats;
+  if (dropped) problem.poses.pop_back();
+  return dropped;
+}
+
+void read_motion_target(TableReader& target, ChainMotionProblem& problem) {
+  const bool dropped = read_body(target, problem);
+  problem.crank_angles =
+      read_chain_timing(target, {problem.poses.size(), problem.closed, dropped, "pose", "motion"});
+  problem.angle_weight = target.number("angle_weight", kLinkLength);
+  if (!target.contains("method")) return;
+  target.know({"method"});
+  target.fault("method",
+               "is for motions without mechanism.type; remove it: chains come as near to all poses "
+               "as they can (least squares)");
+}
+
+/// The body's origin has to be on a link, so that the link's angle is the body's.
+void check_origin(TableReader& target, const ChainMotionProblem& problem) {
+  for (const Topology& topology : problem.topologies) {
+    const TopologyLine& origin = topology.lines[static_cast<std::size_t>(topology.trace)];
+    if (origin.line.type == synthesis::LineType::attached) continue;
+    return target.fault(
+        "point", fmt::format("\"{}\" is a joint of two links, which does not say which of them "
+                             "carries the body; expected a [[point]] on a link",
+                             origin.name));
+  }
+}
+
+void read_limits(TableReader& table, ChainMotionProblem& problem) {
+  ChainConstraints& limits = problem.constraints;
+  limits.transmission_angle = read_chain_transmission(table).value_or(limits.transmission_angle);
+  limits.over = table.choice<LimitSpan>("over").value_or(limits.over);
+  limits.rms_error_max = table.number("rms_error_max", kErrorScale);
+  refuse_four_bar_limits(table, "transmission_angle_deg, over and rms_error_max");
+}
+
+void read_parts_made(TableReader& document, LinkageTables& tables, ChainMotionProblem& problem) {
+  if (std::ranges::any_of(problem.topologies, has_three_pin_link)) {
+    return refuse_with_three_pins(document, tables, problem.constraints.over);
+  }
+  problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies));
+  problem.tolerances = read_chain_tolerances(document, problem.topologies, "length");
+}
+
+}  // namespace
+}  // namespace reading
+
+bool KindTraits<ChainMotionProblem>::takes(reading::TableReader& document) {
+  if (!document.has_table("mechanism")) return false;
+  return document.table("mechanism").has_text(reading::kType);
+}
+
+ChainMotionProblem KindTraits<ChainMotionProblem>::read(reading::TableReader& document,
+                                                        const std::filesystem::path& /*folder*/) {
+  using namespace reading;
+  ChainMotionProblem problem;
+  LinkageTables tables(document);
+  problem.mechanism = tables.mechanism.text(kType).value_or("");
+  if (problem.mechanism != kChainWord && topologies(problem.mechanism).empty()) {
+    fault_chain_type(document, tables.mechanism, motion_types());
+    return problem;
+  }
+  read_motion_target(tables.target, problem);
+  Wanted wanted = read_traced(tables.target, problem.mechanism, "P");
+  wanted.takes_three_pins = true;
+  problem.topologies = read_topologies(document, tables, topologies(problem.mechanism), wanted);
+  check_origin(tables.target, problem);
+  read_limits(tables.constraints, problem);
+  read_chain_solve(tables.solve, problem.solve);
+  refuse_objectives(tables.solve);
+  read_parts_made(document, tables, problem);
+  for (TableReader* table :
+       {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
+    table->finish();
+  }
+  problem.warnings = read_warnings(document);
+  return problem;
+}
+
+}  // namespace cognate::problems

@@ -1,0 +1,143 @@
+#include "problems/chain_motion/verify.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "analysis/mechanism/followed_motion.hpp"
+#include "analysis/mechanism/kinematics.hpp"
+#include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
+#include "problems/basics/degrees.hpp"
+#include "problems/chain/minima_designs.hpp"
+#include "problems/chain/places.hpp"
+#include "problems/chain/verify.hpp"
+#include "problems/guidance/design.hpp"
+#include "problems/linkage/error_limit.hpp"
+
+namespace cognate::problems {
+namespace {
+
+using synthesis::Pose;
+
+/// A body in its link, whose axes are those of the kernel.
+struct BodyInLink {
+  int link;
+  Pose pose;
+};
+
+/// `design` has the heading's parameter after those of the topology.
+BodyInLink body_in_link(const Topology& topology, const synthesis::ChainDesign& design) {
+  const ChainPlaces places(chain_of(topology).lines, design.parameters);
+  const auto& [type, first, second] = topology.lines[static_cast<std::size_t>(topology.trace)].line;
+  const auto [link, at] = places.place(topology.trace);
+  const Vec2d direction = places.in_body(first, second, unit_vector(design.parameters.back())) -
+                          places.in_body(first, second, {});
+  return {link, {at, angle_of(direction)}};
+}
+
+/// How far the body is from its poses: distances and angles.
+struct Misses {
+  std::vector<double> place, angle;
+};
+
+/// Up to the first pose that is not reached.
+template <class Motion>
+Misses misses(Motion& motion, const BodyInLink& body, std::span<const Pose> poses,
+              std::span<const double> cranks) {
+  const auto& [link, own] = body;
+  Misses all;
+  for (std::size_t j = 0; j < poses.size(); ++j) {
+    if (!motion.move_to(cranks[j])) break;
+    const Vec2d at = motion.point({link, own.at})[0];
+    const Vec2d ahead = motion.point({link, own.at + unit_vector(own.angle)})[0];
+    all.place.push_back(norm(at - poses[j].at));
+    all.angle.push_back(std::abs(std::remainder(angle_of(ahead - at) - poses[j].angle, kTurn)));
+  }
+  return all;
+}
+
+Misses misses(const Topology& topology, const NamedMechanism& mechanism, const BodyInLink& body,
+              std::span<const Pose> poses, std::vector<double> cranks) {
+  if (!has_three_pin_link(topology)) {
+    MechanismMotion<0> motion(mechanism.mechanism);
+    return misses(motion, body, poses, cranks);
+  }
+  for (double& crank : cranks) crank = in_one_turn(crank);
+  FollowedMotion<0> motion(mechanism.mechanism, follow(mechanism.mechanism, 0, kTurn));
+  return misses(motion, body, poses, cranks);
+}
+
+TargetError error_of(std::span<const double> misses) {
+  TargetError error;
+  for (const double miss : misses) {
+    error.sum_of_squares += miss * miss;
+    error.max = std::max(error.max, miss);
+  }
+  error.rms = std::sqrt(error.sum_of_squares / double(misses.size()));
+  return error;
+}
+
+void take_errors(const Misses& missed, double weight, Design& design) {
+  std::vector<double> together;
+  for (std::size_t i = 0; i < missed.place.size(); ++i) {
+    together.push_back(std::hypot(missed.place[i], weight * missed.angle[i]));
+  }
+  design.error = error_of(together);
+  const TargetError place = error_of(missed.place), angle = error_of(missed.angle);
+  auto& quantities = design.metrics.quantities;
+  quantities.push_back(quantity(kAngleErrorKey, angle.max));
+  quantities.push_back({"angle_error_rms_deg", degrees(angle.rms)});
+  quantities.push_back({"position_error_rms", place.rms});
+  quantities.push_back({"position_error_max", place.max});
+}
+
+}  // namespace
+
+ChainPathProblem path_of(const ChainMotionProblem& problem) {
+  ChainPathProblem path;
+  path.mechanism = problem.mechanism;
+  path.topologies = problem.topologies;
+  for (const Pose& pose : problem.poses) path.points.push_back(pose.at);
+  path.closed = problem.closed;
+  path.crank_angles = problem.crank_angles;
+  path.constraints = problem.constraints;
+  path.constraints.rms_error_max.reset();
+  path.solve = problem.solve;
+  return path;
+}
+
+TargetScale scale_of(const ChainMotionProblem& problem) {
+  return TargetScale(path_of(problem).points);
+}
+
+const std::string& origin_name(const ChainMotionProblem& problem) {
+  const Topology& topology = problem.topologies.front();
+  return topology.lines[static_cast<std::size_t>(topology.trace)].name;
+}
+
+double angle_weight_of(const ChainMotionProblem& problem) {
+  return problem.angle_weight.value_or(scale_of(problem).size);
+}
+
+Design verified(const ChainMotionProblem& problem, const ChainMinimum& found) {
+  const Topology& topology = *found.problem->topology;
+  const auto own = scale_of(problem).out_of(found.problem->chain, found.design);
+  const std::vector<double> cranks = angles_of_targets(found);
+  Design design = verified(path_of(problem), topology, named(topology, own), cranks);
+  const BodyInLink body = body_in_link(topology, own);
+  const Misses missed = misses(topology, design.mechanism, body, problem.poses, cranks);
+  if (missed.place.size() < problem.poses.size()) {
+    design.error.sum_of_squares = std::numeric_limits<double>::infinity();
+    return design;
+  }
+  take_errors(missed, angle_weight_of(problem), design);
+  design.metrics.quantities.push_back(quantity(kBodyAngleKey, body.pose.angle));
+  const auto& limit = problem.constraints.rms_error_max;
+  if (limit) check_error(ErrorLimit{ErrorMeasure::rms_length, *limit}, design.error.rms, design);
+  return design;
+}
+
+}  // namespace cognate::problems
