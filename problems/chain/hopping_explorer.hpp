@@ -52,6 +52,15 @@ class HoppingExplorer {
         work_(work),
         search_({}, {run.threads, deadline, run.progress}) {}
 
+  /// Fits designs known and adds them.
+  void begin_with(const std::vector<Design>& known) {
+    std::vector<Candidate> fresh(known.size());
+    search_.for_each(known.size(), [&](std::size_t i) {
+      fresh[i] = Method::search_fit(space_, known[i], search_.deadline(), work_);
+    });
+    search_.add(std::move(fresh), kSameHoppingDesign);
+  }
+
   void explore(const synthesis::StartRule& rule, synthesis::Shares shares) {
     search_.explore(rule, shares, [&](int first, int count) { round(first, count); });
   }

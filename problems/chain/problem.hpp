@@ -11,6 +11,7 @@
 #include "problems/basics/kind.hpp"
 #include "problems/basics/length_unit.hpp"
 #include "problems/basics/names.hpp"
+#include "problems/chain/front/measure.hpp"
 #include "problems/chain/topology.hpp"
 #include "problems/layers/layers.hpp"
 #include "problems/linkage/linkage_limits.hpp"
@@ -31,10 +32,6 @@ struct ChainConstraints {
   LimitSpan over = LimitSpan::turn;
   std::optional<double> rms_error_max;
 };
-
-/// What the error of a chain is weighed against: the least transmission angle of its joints, its
-/// longest link, or the number of its links.
-enum class ChainMeasure { transmission_angle, size, links };
 
 /// `kind = "path-generation"` with a chain as its mechanism.
 struct ChainPathProblem {
@@ -79,7 +76,5 @@ Result solve(const ChainPathProblem& problem, const Run& run);
 
 template <>
 std::span<const Named<LimitSpan>> names<LimitSpan>();
-template <>
-std::span<const Named<ChainMeasure>> names<ChainMeasure>();
 
 }  // namespace cognate::problems

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "problems/chain/front/read.hpp"
+#include "problems/chain/given.hpp"
 #include "problems/chain/problem.hpp"
 #include "problems/chain/raster/axes.hpp"
 #include "problems/chain/read_design.hpp"
@@ -65,20 +66,38 @@ std::string_view robust_refusal(const ChainPathProblem& problem) {
   return {};
 }
 
+// What speaks against fronts.
+std::string_view front_refusal(const ChainPathProblem& problem) {
+  if (problem.raster) return "is given with a raster; remove one of them";
+  if (problem.solve.robust) return "is given with robust; remove one of them";
+  return {};
+}
+
+void read_chain_front(TableReader& table, ChainPathProblem& problem) {
+  const bool whole = problem.topologies.size() == 1 && is_given(problem.topologies.front());
+  const std::string_view refusal = front_refusal(problem);
+  problem.against = read_against(table,
+                                 {.mechanism = problem.mechanism,
+                                  .topologies = problem.topologies,
+                                  .is_given = whole && refusal.empty(),
+                                  .refusal = refusal},
+                                 problem.solve);
+}
+
 /// What is for chains of dyads alone.
 void read_with_dyads(TableReader& document, LinkageTables& tables, ChainPathProblem& problem) {
   problem.raster = read_chain_raster(document, problem);
   check_chain_raster(document, problem);
   problem.tolerances = read_chain_tolerances(document, problem.topologies, "length");
   read_robust(tables.solve, robust_refusal(problem), problem.solve);
-  read_against(tables.solve, problem);
+  read_chain_front(tables.solve, problem);
   problem.layers =
       read_design_layers(document, tables.constraints, links_of(problem.topologies),
                          problem.against ? kNoLayersOfFronts : layers_max_refusal(problem.solve));
 }
 
 void read_with_three_pins(TableReader& document, LinkageTables& tables, ChainPathProblem& problem) {
-  read_against(tables.solve, problem);
+  read_chain_front(tables.solve, problem);
   refuse_with_three_pins(document, tables, problem.constraints.over);
 }
 

@@ -130,12 +130,6 @@ void read_chain_solve(TableReader& table, Solve& solve) {
   }
 }
 
-void refuse_objectives(TableReader& solve) {
-  refuse(solve, "objectives",
-         "is for four-bars and for paths of chains; remove it: the search takes starts and "
-         "designs");
-}
-
 void fault_chain_type(TableReader& document, TableReader& mechanism,
                       std::span<const std::string_view> types) {
   mechanism.choice_of("type", types);

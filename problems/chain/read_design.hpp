@@ -47,9 +47,6 @@ void refuse_with_three_pins(TableReader& document, LinkageTables& tables, LimitS
 /// `[solve]`: starts and designs.
 void read_chain_solve(TableReader& table, Solve& solve);
 
-/// Faults `solve.objectives`, where a kind has no fronts.
-void refuse_objectives(TableReader& solve);
-
 /// Faults a `mechanism.type` that is none of `types`: of the rest of the file nothing can be said.
 void fault_chain_type(TableReader& document, TableReader& mechanism,
                       std::span<const std::string_view> types);

@@ -180,15 +180,34 @@ std::vector<ScaledChain> scaled_chains(const ChainPathProblem& problem) {
   return chains;
 }
 
+/// By the stray between targets, if that is more than the error, but where the targets are met.
+ChainFrontProblem front_of_path(const ChainPathProblem& problem) {
+  const double size = TargetScale(problem.points).size, met = kMetError * size;
+  const auto ranked = [met](const Design& design) {
+    const double rms = design.error.rms;
+    if (rms <= met) return rms;
+    return std::max(rms, find_quantity(design.metrics.quantities, kStrayKey).value_or(0));
+  };
+  const auto solve = [&problem](const ChainDemand& demand, const Run& run, const Deadline& end) {
+    const ChainPathProblem one = with_demand(problem, demand);
+    return find_least_error(one, scaled_chains(one), run, end);
+  };
+  return {*problem.against,
+          demand_of(problem),
+          met,
+          size,
+          "rms_error",
+          ranked,
+          [](const Design& design) { return design.error.rms; },
+          solve};
+}
+
 Result find_chains(const ChainPathProblem& problem, const std::vector<ScaledChain>& chains,
                    const Run& run, const Deadline& deadline) {
   if (is_given(problem)) return take_given(problem, deadline);
   if (problem.solve.robust) return find_robust_chains(problem, chains, run, deadline);
   if (!problem.against) return find_least_error(problem, chains, run, deadline);
-  return chain_front(problem, run, deadline,
-                     [](const ChainPathProblem& one, const Run& own, const Deadline& end) {
-                       return find_least_error(one, scaled_chains(one), own, end);
-                     });
+  return chain_front(front_of_path(problem), run, deadline);
 }
 
 }  // namespace

@@ -4,7 +4,11 @@
 #include <cstdint>
 #include <list>
 #include <span>
+#include <utility>
+#include <vector>
 
+#include "problems/basics/quantity_key.hpp"
+#include "problems/chain/space.hpp"
 #include "problems/linkage/result.hpp"
 #include "synthesis/optimise/solver.hpp"
 #include "synthesis/search/multi_start.hpp"
@@ -41,21 +45,38 @@ inline synthesis::Solution minimum_within(const synthesis::Model& model,
   return solution;
 }
 
-/// An explorer of each space, made of it, its number and `context`: each in turn explores by `rule`
-/// and finishes, in equal shares of the progress.
-template <class Explorer, class Spaces, class... Context>
-std::list<Explorer> explored(const Spaces& spaces, const synthesis::StartRule& rule,
-                             const Context&... context) {
+/// An explorer of each space, made of it, its number and `context`: each in turn begins with what
+/// is `known` of its space, explores by `rule` and finishes, in equal shares of the progress.
+template <class Explorer, class Spaces, class Known, class... Context>
+std::list<Explorer> explored(const Spaces& spaces, const Known& known,
+                             const synthesis::StartRule& rule, const Context&... context) {
   constexpr double kExploring = 0.9;  // of the share
   std::list<Explorer> explorers;
   const double step = 1.0 / static_cast<double>(spaces.size());
   for (const auto& space : spaces) {
     const double share = step * static_cast<double>(explorers.size());
     Explorer& one = explorers.emplace_back(space, explorers.size(), context...);
+    one.begin_with(known(space));
     one.explore(rule, {share, share + kExploring * step});
     one.finish({share + kExploring * step, share + step});
   }
   return explorers;
+}
+
+/// The dimensions of those designs of a `space` that are known, in its unit and bounds, each with
+/// its design.
+template <class Space>
+std::vector<std::pair<synthesis::ChainDesign, const Design*>> known_chains(
+    const Space& space, const TargetScale& scale, const std::vector<Design>& known) {
+  std::vector<std::pair<synthesis::ChainDesign, const Design*>> chains;
+  for (const Design& design : known) {
+    const auto name =
+        find_quantity(design.metrics.quantities, QuantityKey<std::string>{"topology"});
+    if (name != space.topology->name) continue;
+    const auto own = dimensions(*space.topology, design.mechanism);
+    chains.emplace_back(within_bounds(space, scale.into(space.chain, own)), &design);
+  }
+  return chains;
 }
 
 /// Of the topology of the best of `designs`, sorted; the starts of all.

@@ -22,18 +22,6 @@ TableWriter target_writer(const ChainPathProblem& problem) {
   return table;
 }
 
-TableWriter search_writer(const ChainPathProblem& problem) {
-  TableWriter table = chain_solve_writer(problem.solve);
-  if (!problem.against) return table;
-  if (problem.against == ChainMeasure::links) {
-    Table written = table.take();
-    std::erase_if(written, [](const Entry& entry) { return entry.key == "designs"; });
-    table = TableWriter{}.append(std::move(written));
-  }
-  const Array objectives{node("error"), node(to_string(*problem.against))};
-  return table.set("objectives", objectives);
-}
-
 }  // namespace
 }  // namespace reading
 
@@ -53,7 +41,7 @@ reading::Written KindTraits<ChainPathProblem>::written(const ChainPathProblem& p
           .set("mechanism", chain_mechanism_writer(problem.mechanism, problem.topologies))
           .set("bounds", chain_bounds_writer(problem.topologies))
           .set("constraints", constraints)
-          .set("solve", search_writer(problem))
+          .set("solve", chain_solve_writer(problem.solve, problem.against))
           .set("warnings", warnings_writer(problem.warnings))
           .append(raster_table(problem.raster))
           .append(layers_table(problem.layers))

@@ -196,14 +196,19 @@ TableWriter chain_bounds_writer(const std::vector<Topology>& topologies) {
   return table;
 }
 
-TableWriter chain_solve_writer(const Solve& solve) {
+TableWriter chain_solve_writer(const Solve& solve, const std::optional<ChainMeasure>& against) {
   Solve usual;
   usual.starts = solve.starts;
   usual.designs = solve.designs;
   Table written = solve_writer(solve).take();
   const bool is_usual = solve.solver == usual.solver;
   if (is_usual) std::erase_if(written, [](const Entry& entry) { return entry.key == "solver"; });
-  return TableWriter{}.append(std::move(written));
+  if (against == ChainMeasure::links) {
+    std::erase_if(written, [](const Entry& entry) { return entry.key == "designs"; });
+  }
+  TableWriter table = TableWriter{}.append(std::move(written));
+  if (!against) return table;
+  return std::move(table).set("objectives", Array{node("error"), node(to_string(*against))});
 }
 
 void write_chain_timing(const std::vector<double>& angles, TableWriter& target) {

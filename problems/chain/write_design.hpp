@@ -1,9 +1,11 @@
 /// @file A chain that is to be designed, written down as files say it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "problems/chain/front/measure.hpp"
 #include "problems/chain/topology.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/toml/table_writer.hpp"
@@ -17,8 +19,9 @@ TableWriter chain_mechanism_writer(const std::string& type,
 /// `[bounds]`, point by point.
 TableWriter chain_bounds_writer(const std::vector<Topology>& topologies);
 
-/// `[solve]`. What of it the search has no use for is written for the reader to refuse.
-TableWriter chain_solve_writer(const Solve& solve);
+/// `[solve]`, with the objectives of a front. What of it the search has no use for is written for
+/// the reader to refuse.
+TableWriter chain_solve_writer(const Solve& solve, const std::optional<ChainMeasure>& against);
 
 /// `target.timing` and `target.crank_deg` of the crank's `angles`, radians; empty: free.
 void write_chain_timing(const std::vector<double>& angles, TableWriter& target);

@@ -12,6 +12,7 @@
 
 #include "problems/basics/kind.hpp"
 #include "problems/basics/length_unit.hpp"
+#include "problems/chain/front/measure.hpp"
 #include "problems/chain/problem.hpp"
 #include "problems/chain/topology.hpp"
 #include "problems/function/problem.hpp"
@@ -46,6 +47,7 @@ struct ChainFunctionProblem {
   std::vector<double> sample_at;  ///< sample abscissae in x; empty for angle pairs
   ChainFunctionConstraints constraints;
   Solve solve;
+  std::optional<ChainMeasure> against{};  ///< of a front; empty: the error alone counts
   WarningLimits warnings{};
   std::optional<Tolerances> tolerances{};
   std::optional<DesignLayers> layers{};

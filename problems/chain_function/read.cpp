@@ -1,10 +1,13 @@
 #include "problems/layers/read.hpp"
 
+#include "problems/chain/front/read.hpp"
 #include "problems/chain/read_design.hpp"
 #include "problems/chain/read_tolerances.hpp"
+#include "problems/chain_function/given.hpp"
 #include "problems/chain_function/verify.hpp"
 #include "problems/function/read_goal.hpp"
 #include "problems/function/read_target.hpp"
+#include "problems/linkage/design_layers.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/search/read_objectives.hpp"
 
@@ -119,8 +122,15 @@ ChainFunctionProblem KindTraits<ChainFunctionProblem>::read(
   problem.topologies = read_topologies(document, tables, known, wanted_output(problem));
   read_constraints(tables.constraints, problem);
   read_chain_solve(tables.solve, problem.solve);
-  refuse_objectives(tables.solve);
-  problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies));
+  problem.against = read_against(tables.solve,
+                                 {.mechanism = problem.mechanism,
+                                  .topologies = problem.topologies,
+                                  .of_any_count = {},
+                                  .has_sizes = slides(problem),
+                                  .is_given = is_given(problem)},
+                                 problem.solve);
+  problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies),
+                                      problem.against ? kNoLayersOfFronts : std::string_view{});
   problem.tolerances =
       read_chain_tolerances(document, problem.topologies, slides(problem) ? "length" : "deg");
   for (TableReader* table :

@@ -133,6 +133,15 @@ struct FunctionMethod {
   }
 };
 
+std::vector<ChainFunctionDesign> known_functions(const ChainFunctionSpace& space,
+                                                 const std::vector<Design>& known) {
+  std::vector<ChainFunctionDesign> starts;
+  for (const auto& [chain, design] : known_chains(space, space.scale, known)) {
+    if (design->metrics.input_start) starts.push_back({chain, *design->metrics.input_start});
+  }
+  return starts;
+}
+
 }  // namespace
 
 ChainFunctionSearch search_chain_functions(const std::vector<ChainFunctionSpace>& spaces,
@@ -140,7 +149,8 @@ ChainFunctionSearch search_chain_functions(const std::vector<ChainFunctionSpace>
                                            const Deadline& deadline, Work& work) {
   const synthesis::WorkCounter counter;
   const auto explorers = explored<HoppingExplorer<FunctionMethod>>(
-      spaces, hopping_rule(options.starts, kFewestStarts), run, deadline, counter);
+      spaces, [&](const ChainFunctionSpace& space) { return known_functions(space, run.known); },
+      hopping_rule(options.starts, kFewestStarts), run, deadline, counter);
   ChainFunctionSearch result;
   for (const auto& one : explorers) {
     for (const FittedFunction& found : one.search().all()) {

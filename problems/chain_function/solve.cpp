@@ -6,11 +6,13 @@
 
 #include "analysis/numbers/parallel.hpp"
 #include "problems/chain/found_designs.hpp"
+#include "problems/chain/front/front.hpp"
 #include "problems/chain/output/question.hpp"
 #include "problems/chain_function/given.hpp"
 #include "problems/chain_function/search.hpp"
 #include "problems/chain_function/verify.hpp"
 #include "problems/linkage/design_layers.hpp"
+#include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/search/solver_origin.hpp"
 #include "problems/search/statistics.hpp"
@@ -70,6 +72,41 @@ Result find_designs(const ChainFunctionProblem& problem, const FunctionSamples& 
   return result;
 }
 
+std::vector<ChainFunctionSpace> spaces_of(const ChainFunctionProblem& problem,
+                                          const FunctionSamples& wanted) {
+  std::vector<ChainFunctionSpace> spaces;
+  for (const Topology& topology : problem.topologies) {
+    spaces.emplace_back(problem, topology, wanted);
+  }
+  return spaces;
+}
+
+/// The greatest output wanted from the least.
+double travel_of(const FunctionSamples& wanted) {
+  const auto [least, greatest] =
+      std::ranges::minmax(wanted.samples, {}, &synthesis::AnglePair::output);
+  return greatest.output - least.output;
+}
+
+ChainFrontProblem front_of_function(const ChainFunctionProblem& problem,
+                                    const FunctionSamples& wanted) {
+  const ErrorMeasure of = error_measure(problem);
+  const double travel = travel_of(wanted);
+  const auto error = [&problem](const Design& design) { return error_of(problem, design); };
+  const auto solve = [&](const ChainDemand& demand, const Run& run, const Deadline& end) {
+    const ChainFunctionProblem one = with_demand(problem, demand);
+    return find_designs(one, wanted, spaces_of(one, wanted), run, end);
+  };
+  return {*problem.against,
+          demand_of(problem),
+          kMetError * travel,
+          travel,
+          error_column(of),
+          error,
+          [of, error](const Design& design) { return shown_error(of, error(design)); },
+          solve};
+}
+
 }  // namespace
 
 Result solve(const ChainFunctionProblem& given, const Run& run) {
@@ -78,13 +115,12 @@ Result solve(const ChainFunctionProblem& given, const Run& run) {
   const ChainFunctionProblem& problem = *valid;
   const Deadline deadline(run);
   const FunctionSamples wanted = function_samples(problem);
-  std::vector<ChainFunctionSpace> spaces;
-  for (const Topology& topology : problem.topologies)
-    spaces.emplace_back(problem, topology, wanted);
+  const std::vector<ChainFunctionSpace> spaces = spaces_of(problem, wanted);
   const auto source = is_given(problem) ? DesignSource::exact : DesignSource::search;
   Result result =
       solve_in_layers(problem, run, source, [&](const ChainFunctionProblem& one, const Run& own) {
-        return find_designs(one, wanted, spaces, own, deadline);
+        return one.against ? chain_front(front_of_function(one, wanted), own, deadline)
+                           : find_designs(one, wanted, spaces, own, deadline);
       });
   add_warnings(std::nullopt, problem.warnings, result);
   if (result.designs.empty()) {

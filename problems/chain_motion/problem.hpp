@@ -10,6 +10,7 @@
 
 #include "problems/basics/kind.hpp"
 #include "problems/basics/length_unit.hpp"
+#include "problems/chain/front/measure.hpp"
 #include "problems/chain/problem.hpp"
 #include "problems/chain/topology.hpp"
 #include "problems/layers/layers.hpp"
@@ -37,6 +38,7 @@ struct ChainMotionProblem {
   std::optional<double> angle_weight{};
   ChainConstraints constraints;  ///< the error: of |Δp|² + (weight Δθ)²
   Solve solve;
+  std::optional<ChainMeasure> against{};  ///< of a front; empty: the error alone counts
   WarningLimits warnings{};
   std::optional<Tolerances> tolerances{};  ///< of the place of the body's origin
   std::optional<DesignLayers> layers{};

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/chain/front/read.hpp"
 #include "problems/chain/read_design.hpp"
 #include "problems/chain/read_target.hpp"
 #include "problems/chain/read_tolerances.hpp"
@@ -104,7 +105,8 @@ void read_parts_made(TableReader& document, LinkageTables& tables, ChainMotionPr
   if (std::ranges::any_of(problem.topologies, has_three_pin_link)) {
     return refuse_with_three_pins(document, tables, problem.constraints.over);
   }
-  problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies));
+  problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies),
+                                      problem.against ? kNoLayersOfFronts : std::string_view{});
   problem.tolerances = read_chain_tolerances(document, problem.topologies, "length");
 }
 
@@ -133,7 +135,9 @@ ChainMotionProblem KindTraits<ChainMotionProblem>::read(reading::TableReader& do
   check_origin(tables.target, problem);
   read_limits(tables.constraints, problem);
   read_chain_solve(tables.solve, problem.solve);
-  refuse_objectives(tables.solve);
+  problem.against =
+      read_against(tables.solve, {.mechanism = problem.mechanism, .topologies = problem.topologies},
+                   problem.solve);
   read_parts_made(document, tables, problem);
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {

@@ -5,6 +5,7 @@
 
 #include "analysis/numbers/parallel.hpp"
 #include "problems/chain/found_designs.hpp"
+#include "problems/chain/front/front.hpp"
 #include "problems/chain/minima_designs.hpp"
 #include "problems/chain/scaled.hpp"
 #include "problems/chain/search.hpp"
@@ -13,6 +14,7 @@
 #include "problems/chain_motion/verify.hpp"
 #include "problems/linkage/design_layers.hpp"
 #include "problems/linkage/design_tolerances.hpp"
+#include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/search/statistics.hpp"
@@ -45,6 +47,23 @@ Result find_motions(const ChainMotionProblem& problem, const std::vector<ScaledC
   result.status = status_of(result.designs, deadline);
   result.quantities = quantities(found.statistics);
   return result;
+}
+
+ChainFrontProblem front_of_motion(const ChainMotionProblem& problem) {
+  const double size = scale_of(problem).size;
+  const auto error = [](const Design& design) { return design.error.rms; };
+  const auto solve = [&problem](const ChainDemand& demand, const Run& run, const Deadline& end) {
+    const ChainMotionProblem one = with_demand(problem, demand);
+    return find_motions(one, scaled_chains(one), run, end);
+  };
+  return {*problem.against,
+          demand_of(problem),
+          kMetError * size,
+          size,
+          "rms_error",
+          error,
+          error,
+          solve};
 }
 
 /// The place of the body's origin at the nominal crank angles.
@@ -81,10 +100,11 @@ Result solve(const ChainMotionProblem& given, const Run& run) {
   const ChainMotionProblem& problem = *valid;
   const Deadline deadline(run);
   const std::vector<ScaledChain> chains = scaled_chains(problem);
-  Result result = solve_in_layers(problem, run, DesignSource::search,
-                                  [&](const ChainMotionProblem& one, const Run& own) {
-                                    return find_motions(one, chains, own, deadline);
-                                  });
+  Result result = solve_in_layers(
+      problem, run, DesignSource::search, [&](const ChainMotionProblem& one, const Run& own) {
+        return one.against ? chain_front(front_of_motion(one), own, deadline)
+                           : find_motions(one, chains, own, deadline);
+      });
   note_freedom(problem, chains, result);
   add_warnings(extent_of(path_of(problem).points), problem.warnings, result);
   if (result.designs.empty()) {

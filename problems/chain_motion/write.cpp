@@ -47,7 +47,7 @@ reading::Written KindTraits<ChainMotionProblem>::written(const ChainMotionProble
           .set("mechanism", chain_mechanism_writer(problem.mechanism, problem.topologies))
           .set("bounds", chain_bounds_writer(problem.topologies))
           .set("constraints", limits_writer(problem))
-          .set("solve", chain_solve_writer(problem.solve))
+          .set("solve", chain_solve_writer(problem.solve, problem.against))
           .set("warnings", warnings_writer(problem.warnings))
           .append(layers_table(problem.layers))
           .append(tolerance_table(problem.tolerances, false))

@@ -11,6 +11,7 @@
 
 #include "problems/basics/kind.hpp"
 #include "problems/basics/length_unit.hpp"
+#include "problems/chain/front/measure.hpp"
 #include "problems/chain/topology.hpp"
 #include "problems/layers/layers.hpp"
 #include "problems/linkage/linkage_limits.hpp"
@@ -46,6 +47,7 @@ struct DwellProblem {
   double swing_min = 0;         ///< of the output over the turn; a slider has one above 0
   DwellConstraints constraints;
   Solve solve;
+  std::optional<ChainMeasure> against{};  ///< of a front; empty: the error alone counts
   WarningLimits warnings{};
   std::optional<Tolerances> tolerances{};
   std::optional<DesignLayers> layers{};

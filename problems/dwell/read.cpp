@@ -6,9 +6,12 @@
 #include <cmath>
 
 #include "analysis/numbers/constants.hpp"
+#include "problems/chain/front/read.hpp"
 #include "problems/chain/read_design.hpp"
 #include "problems/chain/read_tolerances.hpp"
+#include "problems/dwell/given.hpp"
 #include "problems/dwell/raster.hpp"
+#include "problems/linkage/design_layers.hpp"
 #include "problems/linkage/warnings.hpp"
 
 namespace cognate::problems {
@@ -151,9 +154,18 @@ DwellProblem KindTraits<DwellProblem>::read(reading::TableReader& document,
   problem.topologies = read_topologies(document, tables, known, wanted_output(problem));
   read_dwell_constraints(tables.constraints, problem.constraints);
   read_chain_solve(tables.solve, problem.solve);
-  refuse_objectives(tables.solve);
   read_dwell_raster(document, problem);
-  problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies));
+  problem.against =
+      read_against(tables.solve,
+                   {.mechanism = problem.mechanism,
+                    .topologies = problem.topologies,
+                    .of_any_count = {},
+                    .has_sizes = slides(problem),
+                    .is_given = is_given(problem),
+                    .refusal = problem.raster ? "is given with a raster; remove one of them" : ""},
+                   problem.solve);
+  problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies),
+                                      problem.against ? kNoLayersOfFronts : std::string_view{});
   problem.tolerances =
       read_chain_tolerances(document, problem.topologies, slides(problem) ? "length" : "deg");
   for (TableReader* table :

@@ -185,6 +185,18 @@ struct DwellMethod {
   }
 };
 
+std::vector<DwellDesign> known_dwells(const DwellSpace& space, const std::vector<Design>& known) {
+  std::vector<DwellDesign> starts;
+  for (const auto& [chain, design] : known_chains(space, space.scale, known)) {
+    std::vector<double> begins;  // of each dwell; its end follows
+    for (std::size_t k = 0; k < design->crank_angles.size(); k += 2) {
+      begins.push_back(design->crank_angles[k]);
+    }
+    if (begins.size() == space.problem->dwells.size()) starts.push_back({chain, std::move(begins)});
+  }
+  return starts;
+}
+
 }  // namespace
 
 DwellFit fit_dwell(const DwellSpace& space, const DwellDesign& start, bool is_final,
@@ -201,7 +213,8 @@ DwellSearchResult search_dwells(const std::vector<DwellSpace>& spaces, const Sol
                                 const Run& run, const Deadline& deadline, Work& work) {
   const synthesis::WorkCounter counter;
   const auto explorers = explored<HoppingExplorer<DwellMethod>>(
-      spaces, hopping_rule(options.starts, kFewestStarts), run, deadline, counter);
+      spaces, [&](const DwellSpace& space) { return known_dwells(space, run.known); },
+      hopping_rule(options.starts, kFewestStarts), run, deadline, counter);
   DwellSearchResult result;
   for (const auto& one : explorers) {
     for (const Fitted& found : one.search().all()) {

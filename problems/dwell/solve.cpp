@@ -5,15 +5,18 @@
 #include <cmath>
 #include <iterator>
 
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/parallel.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/chain/found_designs.hpp"
+#include "problems/chain/front/front.hpp"
 #include "problems/chain/output/question.hpp"
 #include "problems/dwell/given.hpp"
 #include "problems/dwell/raster.hpp"
 #include "problems/dwell/search.hpp"
 #include "problems/dwell/verify.hpp"
 #include "problems/linkage/design_layers.hpp"
+#include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/linkage/warnings.hpp"
@@ -91,6 +94,34 @@ Result find_dwells(const DwellProblem& problem, const std::vector<DwellSpace>& s
   return result;
 }
 
+std::vector<DwellSpace> spaces_of(const DwellProblem& problem) {
+  std::vector<DwellSpace> spaces;
+  for (const Topology& topology : problem.topologies) spaces.emplace_back(problem, topology);
+  return spaces;
+}
+
+/// The error is the half band; nobody wants one that is half of the swing.
+ChainFrontProblem front_of_dwell(const DwellProblem& problem) {
+  const bool slides = problems::slides(problem);
+  const double most = problem.swing_min > 0 ? 0.5 * problem.swing_min : 0.5 * kPi;
+  const auto half_band = [](const Design& design) { return design.error.max; };
+  const auto shown = [slides](const Design& design) {
+    return slides ? design.error.max : degrees(design.error.max);
+  };
+  const auto solve = [&problem](const ChainDemand& demand, const Run& run, const Deadline& end) {
+    const DwellProblem one = with_demand(problem, demand);
+    return find_dwells(one, spaces_of(one), run, end);
+  };
+  return {*problem.against,
+          demand_of(problem),
+          kMetError * most,
+          most,
+          slides ? "half_band" : "half_band_deg",
+          half_band,
+          shown,
+          solve};
+}
+
 /// The output in each dwell from the middle of its band there.
 std::optional<ToleranceQuestion> dwell_question(const DwellProblem& problem, const Design& design) {
   constexpr int kSteps = 45;
@@ -134,12 +165,12 @@ Result solve(const DwellProblem& given, const Run& run) {
   if (!valid) return refused<Result>(valid.error());
   const DwellProblem& problem = *valid;
   const Deadline deadline(run);
-  std::vector<DwellSpace> spaces;
-  for (const Topology& topology : problem.topologies) spaces.emplace_back(problem, topology);
+  const std::vector<DwellSpace> spaces = spaces_of(problem);
   const auto source = is_given(problem) ? DesignSource::exact : DesignSource::search;
   Result result =
       solve_in_layers(problem, run, source, [&](const DwellProblem& one, const Run& own) {
-        return find_dwells(one, spaces, own, deadline);
+        return one.against ? chain_front(front_of_dwell(one), own, deadline)
+                           : find_dwells(one, spaces, own, deadline);
       });
   add_warnings(std::nullopt, problem.warnings, result);
   if (result.designs.empty() && !problem.raster) {

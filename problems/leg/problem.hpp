@@ -10,6 +10,7 @@
 
 #include "problems/basics/kind.hpp"
 #include "problems/basics/length_unit.hpp"
+#include "problems/chain/front/measure.hpp"
 #include "problems/chain/topology.hpp"
 #include "problems/layers/layers.hpp"
 #include "problems/linkage/linkage_limits.hpp"
@@ -53,6 +54,7 @@ struct LegProblem {
   LegTarget target;
   LegConstraints constraints;
   Solve solve;
+  std::optional<ChainMeasure> against{};  ///< of a front; empty: the error alone counts
   WarningLimits warnings{};
   std::optional<Tolerances> tolerances{};
   std::optional<DesignLayers> layers{};

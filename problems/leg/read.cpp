@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "problems/chain/front/read.hpp"
 #include "problems/chain/read_design.hpp"
 #include "problems/chain/read_tolerances.hpp"
+#include "problems/leg/given.hpp"
 #include "problems/leg/keys.hpp"
 #include "problems/leg/known.hpp"
+#include "problems/linkage/design_layers.hpp"
 #include "problems/linkage/warnings.hpp"
 
 namespace cognate::problems {
@@ -78,8 +81,13 @@ LegProblem KindTraits<LegProblem>::read(reading::TableReader& document,
   refuse_four_bar_limits(tables.constraints,
                          "transmission_angle_deg, foot_speed_min and foot_speed_max");
   read_chain_solve(tables.solve, problem.solve);
-  refuse_objectives(tables.solve);
-  problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies));
+  problem.against = read_against(tables.solve,
+                                 {.mechanism = problem.mechanism,
+                                  .topologies = problem.topologies,
+                                  .is_given = is_given(problem)},
+                                 problem.solve);
+  problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies),
+                                      problem.against ? kNoLayersOfFronts : std::string_view{});
   problem.tolerances = read_chain_tolerances(document, problem.topologies, "length");
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {

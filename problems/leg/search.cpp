@@ -8,6 +8,7 @@
 #include "problems/chain/topology_searches.hpp"
 #include "problems/leg/fit.hpp"
 #include "problems/leg/starts.hpp"
+#include "problems/linkage/gait_quantities.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -58,6 +59,16 @@ class LegExplorer {
         work_(work),
         search_({}, {run.threads, deadline, run.progress}) {}
 
+  /// Fits designs known and adds them.
+  void begin_with(const std::vector<LegDesign>& known) {
+    std::vector<FittedLeg> fresh;
+    for (const LegDesign& one : known) {
+      fresh.push_back(measured(space_, one.chain, one.span / kTurn));
+      fresh.push_back(judged(space_, fitted_leg(space_, one, search_depth(), work_)));
+    }
+    search_.add(std::move(fresh), kSameDesign);
+  }
+
   void explore(const synthesis::StartRule& rule, synthesis::Shares shares) {
     search_.explore(rule, shares, [&](int first, int count) { round(first, count); });
   }
@@ -94,10 +105,8 @@ class LegExplorer {
       std::mt19937_64 random(seed);
       const auto start = start_of(number, random);
       if (!start) return;
-      const FitDepth depth{kSearchNodes, kSearchExchanges,
-                           fit_options(search_.deadline(), kSearchIterations)};
       starts[i] = measured(space_, start->chain, start->span / kTurn);
-      fresh[i] = judged(space_, fitted_leg(space_, *start, depth, work_));
+      fresh[i] = judged(space_, fitted_leg(space_, *start, search_depth(), work_));
       // Where the two will be merged, one start led there.
       const LegRules& rules = search_.rules();
       const bool is_one = rules.has_value(fresh[i]) &&
@@ -113,6 +122,10 @@ class LegExplorer {
               });
     search_.add(std::move(fresh), kSameDesign);
     search_.keep(kKept);
+  }
+
+  FitDepth search_depth() const {
+    return {kSearchNodes, kSearchExchanges, fit_options(search_.deadline(), kSearchIterations)};
   }
 
   std::optional<LegDesign> start_of(std::uint64_t number, std::mt19937_64& random) const {
@@ -165,12 +178,24 @@ synthesis::StartRule leg_rule(const Solve& options) {
   return rule;
 }
 
+std::vector<LegDesign> known_legs(const LegSpace& space, const std::vector<Design>& known) {
+  std::vector<LegDesign> starts;
+  for (const auto& [chain, design] : known_chains(space, space.scale, known)) {
+    const auto duty = find_quantity(design->metrics.quantities, kDutyKey);
+    const auto leg = duty ? with_stance(space, chain, *duty) : std::nullopt;
+    if (leg) starts.push_back(*leg);
+  }
+  return starts;
+}
+
 }  // namespace
 
 LegSearchResult search_legs(const std::vector<LegSpace>& spaces, const Solve& options,
                             const Run& run, const Deadline& deadline, Work& work) {
   const synthesis::WorkCounter counter;
-  const auto explorers = explored<LegExplorer>(spaces, leg_rule(options), run, deadline, counter);
+  const auto explorers = explored<LegExplorer>(
+      spaces, [&](const LegSpace& space) { return known_legs(space, run.known); },
+      leg_rule(options), run, deadline, counter);
   LegSearchResult result;
   for (const LegExplorer& one : explorers) {
     result.closes = result.closes || one.closes();

@@ -6,12 +6,15 @@
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/parallel.hpp"
 #include "problems/chain/found_designs.hpp"
+#include "problems/chain/front/front.hpp"
 #include "problems/leg/given.hpp"
 #include "problems/leg/search.hpp"
 #include "problems/leg/starts.hpp"
 #include "problems/leg/verify.hpp"
 #include "problems/linkage/design_layers.hpp"
 #include "problems/linkage/design_tolerances.hpp"
+#include "problems/linkage/error_limit.hpp"
+#include "problems/linkage/gait_quantities.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/search/solver_origin.hpp"
@@ -65,6 +68,36 @@ Result find_legs(const LegProblem& problem, const std::vector<LegSpace>& spaces,
   return result;
 }
 
+std::vector<LegSpace> spaces_of(const LegProblem& problem) {
+  std::vector<LegSpace> spaces;
+  if (is_given(problem)) return spaces;
+  for (const Topology& topology : problem.topologies) spaces.emplace_back(problem, topology);
+  return spaces;
+}
+
+/// The error is the flatness, or where the duty factor is the objective the share of the turn in
+/// which the foot swings.
+ChainFrontProblem front_of_leg(const LegProblem& problem, bool& closes) {
+  const bool is_flat = problem.target.objective == LegObjective::flatness;
+  const auto error = [is_flat](const Design& design) {
+    const auto& quantities = design.metrics.quantities;
+    return is_flat ? find_quantity(quantities, kFlatnessKey).value_or(kInfinity)
+                   : 1 - find_quantity(quantities, kDutyKey).value_or(0);
+  };
+  const auto solve = [&](const ChainDemand& demand, const Run& run, const Deadline& end) {
+    const LegProblem one = with_demand(problem, demand);
+    return find_legs(one, spaces_of(one), run, end, closes);
+  };
+  return {*problem.against,
+          demand_of(problem),
+          kMetError,
+          1,
+          is_flat ? "flatness" : "swing_share",
+          error,
+          error,
+          solve};
+}
+
 std::string nothing_found(const LegProblem& problem, bool closes) {
   if (is_given(problem)) {
     return "The leg given is not assembled over the whole turn; change its dimensions.";
@@ -111,15 +144,13 @@ Result solve(const LegProblem& given, const Run& run) {
   if (!valid) return refused<Result>(valid.error());
   const LegProblem& problem = *valid;
   const Deadline deadline(run);
-  std::vector<LegSpace> spaces;
-  if (!is_given(problem)) {
-    for (const Topology& topology : problem.topologies) spaces.emplace_back(problem, topology);
-  }
+  const std::vector<LegSpace> spaces = spaces_of(problem);
   bool closes = false;
   const auto source = is_given(problem) ? DesignSource::exact : DesignSource::search;
   Result result = solve_in_layers(problem, run, source, [&](const LegProblem& one, const Run& own) {
-    return is_given(one) ? take_given(one, deadline)
-                         : find_legs(one, spaces, own, deadline, closes);
+    if (is_given(one)) return take_given(one, deadline);
+    return one.against ? chain_front(front_of_leg(one, closes), own, deadline)
+                       : find_legs(one, spaces, own, deadline, closes);
   });
   add_warnings(std::nullopt, problem.warnings, result);
   if (result.designs.empty()) {

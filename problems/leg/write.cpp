@@ -31,7 +31,7 @@ reading::Written KindTraits<LegProblem>::written(const LegProblem& problem) {
                      .set("mechanism", mechanism)
                      .set("bounds", chain_bounds_writer(problem.topologies))
                      .set("constraints", constraints)
-                     .set("solve", chain_solve_writer(problem.solve))
+                     .set("solve", chain_solve_writer(problem.solve, problem.against))
                      .set("warnings", warnings_writer(problem.warnings))
                      .append(layers_table(problem.layers))
                      .append(tolerance_table(problem.tolerances, false))

@@ -278,6 +278,8 @@ class CommandLine(unittest.TestCase):
             listed = common | links | {"mechanism.type", "mechanism.pivot_d"}
             beside = {"chain": " (chains)", "chain-function": " (chains)", "dwell": " (dwells)"}
             name = read["kind"] + beside.get(file.parent.name, "")
+            if name == "motion-generation" and "type" in read["mechanism"]:
+                name += " (chains)"
             keys = {key["name"]: key["meaning"] for key in problems[name]["keys"]}
             listed |= set(keys)
             if "bounds as of path-generation (chains)" in keys.get("mechanism.type", ""):

@@ -26,7 +26,7 @@ SAVED_AS = re.compile(r"[Ss]ave this as `([^`]+)`[^`]*```toml\n(.*?)```", re.DOT
 # Which page has the keys of which part of `cognate list`, where README.md does not say it: that of kinds
 # that share their word with another.
 PAGE_OF_KIND = {"function-generation (chains)": "chain-functions", "function-generation (dwells)": "dwells",
-                "path-generation (chains)": "chains"}
+                "motion-generation (chains)": "motion-generation", "path-generation (chains)": "chains"}
 PAGES_OF_TABLES = {"common_tables": ["constraints"], "cam_tables": ["cams"], "cam_followers": ["cams"],
                    "gear_tables": ["gears"], "gear_pair_tables": ["gears"],
                    "gear_train_tables": ["gear-trains"],

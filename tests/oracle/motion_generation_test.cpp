@@ -200,6 +200,7 @@ TEST(MotionOracleTest, LibraryIsSolved) {
   for (const auto& entry :
        std::filesystem::directory_iterator(std::filesystem::path(kLibraryFolder) / "motion")) {
     if (entry.path().stem() == "tipping-tray-robust") continue;  // robust_motion_test.cpp solves it
+    if (entry.path().stem() == "lifted-and-tipped") continue;  // a chain's, which has its own tests
     const Result result = solved(entry.path().stem().string());
     EXPECT_EQ(result.status, Status::solved) << entry.path();
     if (entry.path().stem() == "eleven-poses") continue;  // records_test.cpp has its error

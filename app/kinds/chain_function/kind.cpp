@@ -36,9 +36,12 @@ constexpr Entry kChainFunctionKeys[] = {
     {"constraints.over",
      "\"range\" (default): the motion is that of the function; or \"turn\", of the whole crank"},
     {"constraints.rms_error_deg_max", "of the output's angle; with minimax max_error_deg_max"},
-    {"constraints.rms_error_max", "of a slider's displacement; with minimax max_error_max"}};
+    {"constraints.rms_error_max", "of a slider's displacement; with minimax max_error_max"},
+    {"solve.objectives",
+     "[\"error\", and one of \"transmission_angle\", of a slider \"size\"]: a Pareto front"}};
 
-constexpr QuantityColumn kChainFunctionQuantities[] = {{"topology", "topology"},
+constexpr QuantityColumn kChainFunctionQuantities[] = {{"longest_link", "longest link [length]"},
+                                                       {"topology", "topology"},
                                                        {"output_start", "output start [length]"}};
 
 }  // namespace

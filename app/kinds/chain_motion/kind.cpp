@@ -28,9 +28,12 @@ constexpr Entry kChainMotionKeys[] = {
     {"constraints.over",
      "where that holds: \"turn\" (default) of the crank, or \"range\", from the first to the last "
      "pose"},
-    {"constraints.rms_error_max", "the most root mean square of the errors of place and angle"}};
+    {"constraints.rms_error_max", "the most root mean square of the errors of place and angle"},
+    {"solve.objectives",
+     "[\"error\", and one of \"transmission_angle\", \"size\", \"links\"]: a Pareto front"}};
 
-constexpr QuantityColumn kTopologyOfMotion{"topology", "topology"};
+constexpr QuantityColumn kChainMotionQuantities[] = {
+    {"link_count", "links"}, {"longest_link", "longest link [length]"}, {"topology", "topology"}};
 
 }  // namespace
 
@@ -45,9 +48,8 @@ std::string Kind<ChainMotionProblem>::describe(const ChainMotionProblem& problem
                             problem.crank_angles.empty() ? "free" : "prescribed"));
 }
 
-ColumnChoice Kind<ChainMotionProblem>::columns(const ChainMotionProblem& problem) {
-  const bool has_several = problem.topologies.size() > 1;
-  return {.error_unit = "length", .quantities = std::span(&kTopologyOfMotion, has_several ? 1 : 0)};
+ColumnChoice Kind<ChainMotionProblem>::columns(const ChainMotionProblem& /*problem*/) {
+  return {.error_unit = "length", .quantities = kChainMotionQuantities};
 }
 
 ordered_json Kind<ChainMotionProblem>::target_json(const ChainMotionProblem& problem) {

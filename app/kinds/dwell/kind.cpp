@@ -26,15 +26,15 @@ constexpr Entry kDwellKeys[] = {
      "\"six-bar\" (default), \"stephenson-3\", \"watt-2\", or \"chain\"; with a slider as output "
      "\"six-bar-slider\", \"stephenson-3-slider\", \"watt-2-slider\"; parts and bounds as of "
      "path-generation (chains)"},
-    {"constraints.transmission_angle_deg", "[min, max] of every dyad over the turn"}};
+    {"constraints.transmission_angle_deg", "[min, max] of every dyad over the turn"},
+    {"solve.objectives",
+     "[\"error\", and one of \"transmission_angle\", of a slider \"size\"]: a Pareto front"}};
 
-constexpr QuantityColumn kDwellQuantities[] = {{"half_band_deg", "half band [deg]"},
-                                               {"swing_deg", "swing [deg]"},
-                                               {"half_band", "half band [length]"},
-                                               {"stroke", "stroke [length]"},
-                                               {"dwell_from_deg", "from [deg]"},
-                                               {"dwell_2_from_deg", "second from [deg]"},
-                                               {"topology", "topology"}};
+constexpr QuantityColumn kDwellQuantities[] = {
+    {"half_band_deg", "half band [deg]"},      {"swing_deg", "swing [deg]"},
+    {"half_band", "half band [length]"},       {"stroke", "stroke [length]"},
+    {"dwell_from_deg", "from [deg]"},          {"dwell_2_from_deg", "second from [deg]"},
+    {"longest_link", "longest link [length]"}, {"topology", "topology"}};
 
 std::string angles_of(const DwellProblem& problem) {
   std::string text;

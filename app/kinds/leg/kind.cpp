@@ -19,13 +19,17 @@ constexpr Entry kLegPartKeys[] = {
     {"mechanism.type",
      "\"klann\" (default), \"jansen\", \"chain\", or a topology of path-generation (chains); parts "
      "and bounds as there"},
-    {"constraints.transmission_angle_deg", "[min, max] of every dyad over the turn"}};
+    {"constraints.transmission_angle_deg", "[min, max] of every dyad over the turn"},
+    {"solve.objectives",
+     "[\"error\", and one of \"transmission_angle\", \"size\", \"links\"]: a Pareto front"}};
 
 constexpr QuantityColumn kLegQuantities[] = {{"duty", "duty"},
                                              {"stride", "stride [length]"},
                                              {"step_height", "step height [length]"},
                                              {"flatness", "flatness"},
                                              {"foot_speed_min", "least foot speed"},
+                                             {"longest_link", "longest link [length]"},
+                                             {"link_count", "links"},
                                              {"topology", "topology"}};
 
 }  // namespace

@@ -12,9 +12,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/chain/found_designs.hpp"
 #include "problems/chain/front/measures.hpp"
-#include "problems/chain/space.hpp"
 #include "problems/chain/verify.hpp"
-#include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/verify.hpp"
 #include "synthesis/search/pareto_front.hpp"
 
@@ -29,27 +27,8 @@ constexpr int kMinimaAlong = 6;  ///< under each bound, from which its neighbour
 constexpr int kMostSteps = 40;   ///< between the levels first looked at
 constexpr std::string_view kLinksColumn = "link_count";
 
-ChainPathProblem by_error_alone(const ChainPathProblem& problem) {
-  ChainPathProblem other = problem;
-  other.against.reset();
-  return other;
-}
-
 bool is_sound(const Result& found) {
   return !found.designs.empty() && all_satisfied(found.designs.front().constraints);
-}
-
-/// The error of designs that meet the target to rounding.
-double met_error(const ChainPathProblem& problem) {
-  return kMetError * TargetScale(problem.points).size;
-}
-
-/// By which searches order designs: the error, or the stray between targets if that is more, but
-/// where the targets are met.
-double ranked_error(const ChainPathProblem& problem, const Design& design) {
-  const double rms = design.error.rms;
-  if (rms <= met_error(problem)) return rms;
-  return std::max(rms, find_quantity(design.metrics.quantities, kStrayKey).value_or(0));
 }
 
 void add_work(const Work& done, Work& work) {
@@ -65,16 +44,15 @@ struct Point {
 };
 
 /// `points`: best error first. `nearest`: what was found where there is none.
-Result front_of(std::vector<Point> points, Result nearest, std::string_view column,
-                const Deadline& deadline) {
+Result front_of(const ChainFrontProblem& problem, std::vector<Point> points, Result nearest,
+                std::string_view column, const Deadline& deadline) {
   Result result = std::move(nearest);
   result.quantities.clear();
-  Family family{"Pareto front",
-                {{std::string(column), {}}, {error_column(ErrorMeasure::rms_length), {}}}};
+  Family family{"Pareto front", {{std::string(column), {}}, {problem.error, {}}}};
   if (!points.empty()) result.designs.clear();
   for (Point& point : points) {
     family.columns[0].values.push_back(point.measure);
-    family.columns[1].values.push_back(point.design.error.rms);
+    family.columns[1].values.push_back(problem.shown(point.design));
     result.designs.push_back(std::move(point.design));
   }
   if (!points.empty()) result.families = {std::move(family)};
@@ -85,10 +63,9 @@ Result front_of(std::vector<Point> points, Result nearest, std::string_view colu
 /// The best design of each number of links.
 class LinkFront {
  public:
-  LinkFront(const ChainPathProblem& problem, const Run& run, const Deadline& deadline,
-            const LeastError& solve)
-      : problem_(problem), run_(run), deadline_(deadline), solve_(solve) {
-    for (const Topology& topology : problem.topologies) {
+  LinkFront(const ChainFrontProblem& problem, const Run& run, const Deadline& deadline)
+      : problem_(problem), run_(run), deadline_(deadline) {
+    for (const Topology& topology : problem.demand.topologies) {
       const int links = link_count(topology);
       by_count_[links].push_back(topology);
       effort_ += effort_of(links);
@@ -97,12 +74,13 @@ class LinkFront {
 
   Result result() && {
     for (const auto& [links, topologies] : by_count_) {
-      const bool is_met = !points_.empty() && best() <= met_error(problem_);
+      const bool is_met = !points_.empty() && best() <= problem_.met;
       if (is_met || deadline_.reached()) break;
       search(links, topologies);
     }
     nearest_.work = work_;
-    Result result = front_of(std::move(points_), std::move(nearest_), kLinksColumn, deadline_);
+    Result result =
+        front_of(problem_, std::move(points_), std::move(nearest_), kLinksColumn, deadline_);
     if (is_cut_short_ && result.status != Status::interrupted) result.status = Status::time_limit;
     result.quantities = {{"problems_solved", double(searched_)}};
     for (std::string& note : notes_) result.notes.push_back(std::move(note));
@@ -116,14 +94,14 @@ class LinkFront {
 
   /// In an equal share of the time that is left.
   void search(int links, const std::vector<Topology>& topologies) {
-    ChainPathProblem own = by_error_alone(problem_);
+    ChainDemand own = problem_.demand;
     own.topologies = topologies;
     const double left = double(by_count_.size()) - double(searched_++);
     const double from = done_ / effort_;
     done_ += effort_of(links) * double(topologies.size());
     Run part = part_of(run_, from, done_ / effort_);
     if (run_.time_limit) part.time_limit = deadline_.remaining() / left;
-    Result found = solve_(own, part, Deadline(part));
+    Result found = problem_.solve(own, part, Deadline(part));
     add_work(found.work, work_);
     const bool is_cut = found.status == Status::time_limit || found.status == Status::interrupted;
     is_cut_short_ = is_cut_short_ || is_cut;
@@ -135,16 +113,16 @@ class LinkFront {
       notes_.push_back(fmt::format("No chain of {} links was found within the limits.", links));
     }
     const double least =
-        nearest_.designs.empty() ? kInfinity : ranked_error(problem_, nearest_.designs.front());
-    if (found.designs.empty() || ranked_error(problem_, found.designs.front()) > least) return;
+        nearest_.designs.empty() ? kInfinity : problem_.ranked(nearest_.designs.front());
+    if (found.designs.empty() || problem_.ranked(found.designs.front()) > least) return;
     nearest_ = std::move(found);
   }
 
-  double best() const { return ranked_error(problem_, points_.front().design); }
+  double best() const { return problem_.ranked(points_.front().design); }
 
   /// More links are worth their price where they come nearer.
   void take(int links, Design design) {
-    if (points_.empty() || ranked_error(problem_, design) < (1 - kSameError) * best()) {
+    if (points_.empty() || problem_.ranked(design) < (1 - kSameError) * best()) {
       design.metrics.quantities.push_back({std::string(kLinksColumn), double(links)});
       points_.insert(points_.begin(), {std::move(design), double(links)});
     } else if (!is_cut_short_) {
@@ -153,10 +131,9 @@ class LinkFront {
     }
   }
 
-  const ChainPathProblem& problem_;
+  const ChainFrontProblem& problem_;
   const Run& run_;
   const Deadline& deadline_;
-  const LeastError& solve_;
   std::map<int, std::vector<Topology>> by_count_;
   std::vector<Point> points_;  ///< best error, most links first
   std::vector<std::string> notes_;
@@ -180,26 +157,20 @@ std::vector<synthesis::FrontPoint> spread(const std::vector<synthesis::FrontPoin
 /// The front of a measure that has any value, by a row of bounds.
 class BoundedFront {
  public:
-  BoundedFront(const ChainPathProblem& problem, const Run& run, const Deadline& deadline,
-               const LeastError& solve)
-      : problem_(problem),
-        rule_(rule_of(*problem.against)),
-        run_(run),
-        deadline_(deadline),
-        solve_(solve) {}
+  BoundedFront(const ChainFrontProblem& problem, const Run& run, const Deadline& deadline)
+      : problem_(problem), rule_(rule_of(problem.against)), run_(run), deadline_(deadline) {}
 
   Result result() && {
     run_.enter(Phase::front, kUnknownEnd);
     const synthesis::FrontProblem front{
-        synthesis::measure_of_values(rule_.greatest_is_best, rule_.best), met_error(problem_),
+        synthesis::measure_of_values(rule_.greatest_is_best, rule_.best), problem_.met,
         [this](std::optional<double> bound, const std::vector<std::size_t>& known,
                std::optional<std::uint64_t> seed) { return solve(bound, known, seed); }};
     synthesis::FrontSearch search(front, {run_.seed, deadline_, run_.progress});
     search.begin();
     if (!search.points().empty()) {
-      const double first = search.points().front().level;
-      search.step(first + rule_.step, rule_.step, kMostSteps, TargetScale(problem_.points).size);
-      search.fill(problem_.solve.designs);
+      step_along(search);
+      search.fill(problem_.demand.solve.designs);
     }
     std::vector<Point> points;
     for (const auto& point : spread(search.points())) {
@@ -207,17 +178,29 @@ class BoundedFront {
       check_own_limit(design);
       points.push_back({std::move(design), rule_.shown(point.design().value)});
     }
-    Result result = front_of(std::move(points), std::move(first_), rule_.column, deadline_);
+    Result result =
+        front_of(problem_, std::move(points), std::move(first_), rule_.column, deadline_);
     result.work = work_;
     result.quantities = {{"problems_solved", double(search.searches())}};
     return result;
   }
 
  private:
+  /// In shorter steps where the first leads beyond the front's end.
+  void step_along(synthesis::FrontSearch& search) const {
+    constexpr double kShorter = 0.25;
+    constexpr int kAttempts = 3;
+    const double first = search.points().front().level;
+    double step = rule_.step;
+    for (int i = 0; i < kAttempts && search.points().size() < 2; ++i, step *= kShorter) {
+      search.step(first + step, step, kMostSteps, problem_.most);
+    }
+  }
+
   std::optional<std::vector<synthesis::FrontDesign>> solve(std::optional<double> bound,
                                                            const std::vector<std::size_t>& known,
                                                            std::optional<std::uint64_t> seed) {
-    ChainPathProblem own = by_error_alone(problem_);
+    ChainDemand own = problem_.demand;
     own.solve.designs = kMinimaAlong;
     if (bound && !rule_.limit(own, *bound)) return std::nullopt;
     if (!known.empty() && !own.solve.starts) own.solve.starts = kStartsAlong;
@@ -225,14 +208,14 @@ class BoundedFront {
     Run part = silent(run_);
     part.seed = seed.value_or(run_.seed);
     for (const std::size_t one : known) part.known.push_back(all_[one]);
-    Result found = solve_(own, part, deadline_);
+    Result found = problem_.solve(own, part, deadline_);
     add_work(found.work, work_);
     const bool is_first = all_.empty();
     std::vector<synthesis::FrontDesign> designs;
     if (is_sound(found) && (is_first || !deadline_.reached())) {
       for (const Design& design : found.designs) {
-        designs.push_back(
-            {all_.size(), rule_.value(problem_, design), ranked_error(problem_, design)});
+        designs.push_back({all_.size(), rule_.value(problem_.demand.topologies, design),
+                           problem_.ranked(design)});
         all_.push_back(design);
       }
     }
@@ -244,20 +227,19 @@ class BoundedFront {
   void check_own_limit(Design& design) const {
     if (rule_.measure != ChainMeasure::transmission_angle) {
       design.metrics.quantities.push_back(
-          {std::string(rule_.column), rule_.value(problem_, design)});
+          {std::string(rule_.column), rule_.value(problem_.demand.topologies, design)});
       return;
     }
     std::erase_if(design.constraints, [](const ConstraintCheck& check) {
       return check.name == "transmission_angle_deg";
     });
-    check_transmission(problem_.constraints.transmission_angle, design);
+    check_transmission(problem_.demand.transmission_angle, design);
   }
 
-  const ChainPathProblem& problem_;
+  const ChainFrontProblem& problem_;
   const ChainMeasureRule& rule_;
   const Run& run_;
   const Deadline& deadline_;
-  const LeastError& solve_;
   std::vector<Design> all_;
   Result first_;
   Work work_;
@@ -265,12 +247,9 @@ class BoundedFront {
 
 }  // namespace
 
-Result chain_front(const ChainPathProblem& problem, const Run& run, const Deadline& deadline,
-                   const LeastError& solve) {
-  if (problem.against == ChainMeasure::links) {
-    return LinkFront(problem, run, deadline, solve).result();
-  }
-  return BoundedFront(problem, run, deadline, solve).result();
+Result chain_front(const ChainFrontProblem& problem, const Run& run, const Deadline& deadline) {
+  return problem.against == ChainMeasure::links ? LinkFront(problem, run, deadline).result()
+                                                : BoundedFront(problem, run, deadline).result();
 }
 
 }  // namespace cognate::problems

@@ -11,18 +11,18 @@
 namespace cognate::problems {
 namespace {
 
-double least_transmission(const ChainPathProblem&, const Design& design) {
+double least_transmission(const std::vector<Topology>&, const Design& design) {
   return design.metrics.transmission_acute_min;
 }
 
-bool limit_transmission(ChainPathProblem& problem, double least) {
-  Range& limit = problem.constraints.transmission_angle;
+bool limit_transmission(ChainDemand& demand, double least) {
+  Range& limit = demand.transmission_angle;
   limit = {std::max(limit.min, least), std::min(limit.max, kPi - least)};
   return limit.min < limit.max;
 }
 
-double longest_length(const ChainPathProblem& problem, const Design& design) {
-  const Topology& topology = topology_of(problem, design);
+double longest_length(const std::vector<Topology>& topologies, const Design& design) {
+  const Topology& topology = topology_of(topologies, design);
   const auto chain = dimensions(topology, design.mechanism);
   double longest = 0;
   for (const auto& [line, parameter] : synthesis::placed_lines(chain_of(topology))) {
@@ -35,8 +35,8 @@ double longest_length(const ChainPathProblem& problem, const Design& design) {
   return longest;
 }
 
-bool limit_length(ChainPathProblem& problem, double greatest) {
-  for (Topology& topology : problem.topologies) {
+bool limit_length(ChainDemand& demand, double greatest) {
+  for (Topology& topology : demand.topologies) {
     for (TopologyLine& line : topology.lines) {
       if (!synthesis::has_lengths(line.line.type)) continue;
       const auto count = static_cast<std::size_t>(synthesis::parameter_count(line.line.type));
@@ -65,9 +65,9 @@ const ChainMeasureRule& rule_of(ChainMeasure measure) {
   return *std::ranges::find(kRules, measure, &ChainMeasureRule::measure);
 }
 
-const Topology& topology_of(const ChainPathProblem& problem, const Design& design) {
+const Topology& topology_of(const std::vector<Topology>& topologies, const Design& design) {
   const auto name = find_quantity(design.metrics.quantities, QuantityKey<std::string>{"topology"});
-  return *std::ranges::find(problem.topologies, name.value_or(""), &Topology::name);
+  return *std::ranges::find(topologies, name.value_or(""), &Topology::name);
 }
 
 }  // namespace cognate::problems

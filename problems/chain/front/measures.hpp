@@ -3,11 +3,21 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
-#include "problems/chain/problem.hpp"
+#include "problems/chain/front/measure.hpp"
+#include "problems/chain/topology.hpp"
+#include "problems/linkage/linkage_limits.hpp"
 #include "problems/linkage/result.hpp"
 
 namespace cognate::problems {
+
+/// What a front changes of its problem from search to search.
+struct ChainDemand {
+  std::vector<Topology> topologies;
+  Range transmission_angle;  ///< radians
+  Solve solve;
+};
 
 /// A measure other than the number of links. Angles are in radians.
 struct ChainMeasureRule {
@@ -16,9 +26,9 @@ struct ChainMeasureRule {
   bool greatest_is_best;
   double best;  ///< which no design passes
   double step;  ///< between the levels first looked at: radians, or a logarithm
-  double (*value)(const ChainPathProblem& problem, const Design& design);
-  /// Lets `problem` allow no design worse than `value`; false where it then allows none at all.
-  bool (*limit)(ChainPathProblem& problem, double value);
+  double (*value)(const std::vector<Topology>& topologies, const Design& design);
+  /// Lets `demand` allow no design worse than `value`; false where it then allows none at all.
+  bool (*limit)(ChainDemand& demand, double value);
 
   /// As tables say it.
   double shown(double value) const;
@@ -26,7 +36,7 @@ struct ChainMeasureRule {
 
 const ChainMeasureRule& rule_of(ChainMeasure measure);
 
-/// The topology of a design of `problem`.
-const Topology& topology_of(const ChainPathProblem& problem, const Design& design);
+/// The one of `topologies` that a design is of.
+const Topology& topology_of(const std::vector<Topology>& topologies, const Design& design);
 
 }  // namespace cognate::problems

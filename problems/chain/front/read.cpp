@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "problems/chain/given.hpp"
 #include "problems/search/read_objectives.hpp"
 #include "problems/toml/nearest.hpp"
 
@@ -38,44 +37,50 @@ std::optional<ChainMeasure> read_measure(TableReader& solve) {
   return std::nullopt;
 }
 
-/// What the measure does not go with.
-std::string_view refusal(const ChainPathProblem& problem) {
-  if (problem.raster) return "is given with a raster; remove one of them";
-  if (problem.solve.robust) return "is given with robust; remove one of them";
-  if (is_given(problem)) {
-    return "is given with a chain of which every dimension is given; remove it, or leave "
-           "dimensions open";
-  }
-  return {};
-}
-
 bool is_of_one_count(const std::vector<Topology>& topologies) {
   return std::ranges::all_of(topologies, [&](const Topology& one) {
     return link_count(one) == link_count(topologies.front());
   });
 }
 
-}  // namespace
-
-void read_against(TableReader& solve, ChainPathProblem& problem) {
-  problem.against = read_measure(solve);
-  if (!problem.against || problem.topologies.empty()) return;
-  if (const auto why = refusal(problem); !why.empty()) solve.fault(kKey, why);
-  if (problem.against != ChainMeasure::links) {
-    read_front_designs(solve, problem.solve);
-    return;
-  }
-  if (is_of_one_count(problem.topologies)) {
-    solve.fault(kKey,
-                fmt::format("has \"links\", but every chain of type = {} has {} links; "
-                            "expected type = \"any\"",
-                            in_quotes(problem.mechanism), link_count(problem.topologies.front())));
+void check_links(TableReader& solve, const FrontScope& scope) {
+  if (is_of_one_count(scope.topologies)) {
+    solve.fault(kKey, fmt::format("has \"links\", but every chain of type = {} has {} links; {}",
+                                  in_quotes(scope.mechanism), link_count(scope.topologies.front()),
+                                  scope.of_any_count.empty()
+                                      ? "expected another objective"
+                                      : fmt::format("expected type = \"{}\"", scope.of_any_count)));
   }
   if (solve.has(kDesigns)) {
     solve.fault(kDesigns,
                 "is given with the objective \"links\", which gives one design for each "
                 "number of links; remove it");
   }
+}
+
+}  // namespace
+
+std::optional<ChainMeasure> read_against(TableReader& solve_table, const FrontScope& scope,
+                                         Solve& solve) {
+  const auto against = read_measure(solve_table);
+  if (!against || scope.topologies.empty()) return against;
+  if (!scope.refusal.empty()) solve_table.fault(kKey, scope.refusal);
+  if (scope.is_given) {
+    solve_table.fault(kKey,
+                      "is given with a chain of which every dimension is given; remove it, or "
+                      "leave dimensions open");
+  }
+  if (against == ChainMeasure::size && !scope.has_sizes) {
+    solve_table.fault(kKey,
+                      "has \"size\", but a mechanism of any size generates these angles; expected "
+                      "\"transmission_angle\"");
+  }
+  if (against == ChainMeasure::links) {
+    check_links(solve_table, scope);
+  } else {
+    read_front_designs(solve_table, solve);
+  }
+  return against;
 }
 
 }  // namespace cognate::problems::reading

@@ -13,8 +13,16 @@ const FRONT = { height: 260, left: 64, right: 18, top: 14, bottom: 44 };
 const OBJECTIVE_METRICS = { transmission_angle: ["transmission_angle_deg.acute_min"], deviation: ["deviation_relative"], length: ["straight_length"], links: ["link_count"], size: ["size_over_length", "longest_link"] };
 const COUNTS = ["links"];
 
+// The errors of the designs along a front as the program weighs them: of dwells half bands, of legs their flatness; none where it says nothing.
+function errorsOf(families, count) {
+  const column = families.find(({ name }) => / front$/.test(name))?.columns[1];
+  if (column?.values.length !== count) return null;
+  return { values: column.values, unit: column.name.endsWith("_deg") ? "°" : /error|band/.test(column.name) ? LENGTH_UNIT ?? "" : "" };
+}
+
 // The value of an objective that a design has, and its unit; null where it is not known.
-function objectiveOf(name, { error, metrics, mechanism }) {
+function objectiveOf(name, { error, metrics, mechanism }, weighed, index) {
+  if (name === "error" && weighed) return { value: weighed.values[index], unit: weighed.unit };
   if (name === "error") return error.max_deg === undefined ? { value: error.rms, unit: LENGTH_UNIT ?? "" } : { value: error.rms_deg, unit: "°" };
   if (name === "link_ratio") return { value: linkRatio(mechanism), unit: "" };
   const known = flatMetrics(metrics);
@@ -33,10 +41,11 @@ function linkRatio({ crank, coupler, rocker, fixed_pivots: pivots }) {
 }
 
 export class Front {
-  // `entries` of the result, `onChoose(index)`. Without a front of two objectives the card stays hidden.
-  constructor(objectives, entries, onChoose) {
+  // `entries` of the result, `families` of its page, `onChoose(index)`. Without a front of two objectives the card stays hidden.
+  constructor(objectives, entries, families, onChoose) {
     Object.assign(this, { onChoose, holder: byId("front-plot") });
-    const values = entries.map((entry) => objectives.map((name) => objectiveOf(name, entry)));
+    const weighed = errorsOf(families, entries.length);
+    const values = entries.map((entry, i) => objectives.map((name) => objectiveOf(name, entry, weighed, i)));
     this.shown = objectives.length === 2 && entries.length > 1 && values.every((pair) => pair.every((part) => part && Number.isFinite(part.value)));
     byId("front").hidden = !this.shown;
     if (!this.shown) return;

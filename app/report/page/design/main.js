@@ -250,7 +250,7 @@ if (designs.length === 0) {
 } else {
   byId("choice-count").textContent = designs.length > 1 ? say("designs.choose") : "";
   table = new DesignTable(designs, kind, choose);
-  front = new Front(frontObjectives(result.problem?.solve), result.designs, choose);
+  front = new Front(frontObjectives(result.problem?.solve), result.designs, data.families ?? [], choose);
   families = new Families((data.families ?? []).filter(({ name }) => !front.shown || !/ front$/.test(name)), result.designs, choose);
   showLoci();
   choose(0);
