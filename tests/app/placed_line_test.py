@@ -15,6 +15,7 @@ import sys
 import tempfile
 import unittest
 
+from thinned import some
 from toml_text import toml_of
 
 PROGRAM = ""
@@ -203,7 +204,7 @@ class Lines(Placed):
 
     def test_dimensions_on_a_raster(self):
         ends = LINES["upwards"]
-        problem = document(ends, {"class": "crank-rocker"}, {"starts": 40}, raster={"length": 0.5})
+        problem = document(ends, {"class": "crank-rocker"}, {"starts": 40}, raster={"length": 0.5, "boxes": 10})
         mechanism = self.best_of(problem)["mechanism"]
         for key in ("crank", "coupler", "rocker"):
             self.assertAlmostEqual(2 * mechanism[key], round(2 * mechanism[key]), 9)
@@ -222,6 +223,25 @@ class Lines(Placed):
             self.assertLess(design["metrics"]["deviation"], 1.02 * free["metrics"]["deviation"])
 
 
+    def test_no_design_that_is_found_without_the_region_is_better_in_it(self):
+        """Of many designs each is put in its four places, and those in the region are compared."""
+        ends = (-60 + 5j, 10 + 20j)
+        middle, way = (ends[0] + ends[1]) / 2, (ends[1] - ends[0]) / abs(ends[1] - ends[0])
+        region = [[-130, -215], [30, -60]]
+        limits = {"class": "crank-rocker", "transmission_angle_deg": [40, 140]}
+        best = self.best_of(document(ends, limits | {"pivot_region": region}))["metrics"]["deviation"]
+        images = [lambda z: z, lambda z: -z, lambda z: z.conjugate(), lambda z: -z.conjugate()]
+        compared = 0
+        for design in solved(document(ends, limits, {"designs": 30}))["designs"]:
+            own = [(at - middle) / way for at in pivots(design["mechanism"])]
+            for image in images:
+                places = [middle + way * image(at) for at in own]
+                if all(region[0][k] <= pair(at)[k] <= region[1][k] for at in places for k in (0, 1)):
+                    compared += 1
+                    self.assertLessEqual(best, design["metrics"]["deviation"] * (1 + SLACK))
+        self.assertGreater(compared, 0)
+
+
 class Planted(Placed):
     """Hoeken's linkage in each of its four places on a line, its pivots barely in the region."""
 
@@ -233,15 +253,16 @@ class Planted(Placed):
 
     def test_a_design_as_good_is_found_in_every_place(self):
         apart = []
-        for name, ends in list(LINES.items())[1:]:
-            for mirror in (False, True):
-                for reverse in (False, True):
-                    with self.subTest(name, mirror=mirror, reverse=reverse):
-                        planted, deviation = placed_between(HOEKEN, ends, mirror, reverse)
-                        region = box_of(pivots(planted), 0.01 * planted["crank"])
-                        apart.append(tuple(region[0]))
-                        design = self.found(ends, planted, {"constraints": {"pivot_region": region}})
-                        self.assertLessEqual(design["metrics"]["deviation"], 1.001 * deviation)
+        turned = [(mirror, reverse) for mirror in (False, True) for reverse in (False, True)]
+        cases = [(name, *two) for name in list(LINES)[1:] for two in turned]
+        for name, mirror, reverse in some(cases):
+            with self.subTest(name, mirror=mirror, reverse=reverse):
+                ends = LINES[name]
+                planted, deviation = placed_between(HOEKEN, ends, mirror, reverse)
+                region = box_of(pivots(planted), 0.01 * planted["crank"])
+                apart.append(tuple(region[0]))
+                design = self.found(ends, planted, {"constraints": {"pivot_region": region}})
+                self.assertLessEqual(design["metrics"]["deviation"], 1.001 * deviation)
         self.assertEqual(len(set(apart)), len(apart))
 
     def test_pivots_that_are_given(self):

@@ -143,7 +143,7 @@ for (const [name, from, to] of [["above", [0.3, 0.05], [0.75, 0.4]], ["below", [
     assert.ok(design.rms <= 2 * own.rms && own.rms <= 2 * design.rms, `${design.rms} against ${own.rms}`);
     // A step back takes the box away; the address brings it back.
     const kept = page.url().split("#")[1];
-    await page.keyboard.press("Control+z");
+    await page.locator("#undo").click();
     assert.ok(!page.url().includes("&b="));
     await visit({ hash: `#${kept}` }, async (again) => {
       await offered(again);
