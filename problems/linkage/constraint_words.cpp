@@ -71,6 +71,7 @@ constexpr KeyWords kKeys[] = {
     {"flatness_max", "flatness", ""},
     {"foot_speed_min", "foot speed over its mean", ""},
     {"foot_speed_max", "foot speed over its mean", ""},
+    {"ends", "distance of the path's ends from those of the line", "length"},
     {"length", "length of the segment", "length", kLeast},
     {"deviation", "deviation", "length", kMost},
     {"deviation_relative", "deviation over length", "", kMost},

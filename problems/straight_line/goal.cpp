@@ -139,8 +139,13 @@ double unit_of(const StraightLineProblem& problem) {
   return 1;
 }
 
-/// Pivots given both are a frame and its direction.
+/// Pivots given both are a frame and its direction, ends of the line its length and direction.
 StraightLineProblem prepared(StraightLineProblem problem) {
+  StraightLineGoal& goal = *problem.goal;
+  if (goal.ends) {
+    goal.length = norm(goal.ends->back() - goal.ends->front());
+    goal.direction.reset();
+  }
   Given& given = problem.given;
   if (given.pivot_a && given.pivot_d) {
     const Vec2d frame = *given.pivot_d - *given.pivot_a;
@@ -148,12 +153,6 @@ StraightLineProblem prepared(StraightLineProblem problem) {
     given.frame_angle = std::atan2(frame.y, frame.x);
   }
   return problem;
-}
-
-LinkageSegment in_file_unit(LinkageSegment segment, double unit) {
-  segment = enlarged(segment, unit);
-  segment.pivot_a = unit * segment.pivot_a;
-  return segment;
 }
 
 void mark_cognates(std::vector<Design>& designs) {

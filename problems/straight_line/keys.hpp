@@ -19,6 +19,9 @@ inline constexpr NumberRule kCrankRange{[](double x) { return x >= 1 && x <= 360
 
 /// `[target]` of a search.
 inline constexpr Key<StraightLineGoal> kGoalKeys[] = {
+    own_key<StraightLineGoal>(
+        "target.ends",
+        "[[x1, y1], [x2, y2]] of the line in the plane; then no length and no direction_deg"),
     key<&StraightLineGoal::length>(
         "target.length",
         "of the straight segment: deviation is minimised; with neither a Pareto front is searched",

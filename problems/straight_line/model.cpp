@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "analysis/linkage/mobility.hpp"
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "problems/straight_line/placing.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -23,6 +25,12 @@ double value(double x) {
 }
 double value(const Jet& x) {
   return x.a;
+}
+
+std::optional<double> direction_of(const StraightLineProblem& problem) {
+  if (!limits_place(problem)) return problem.goal->direction;
+  const Vec2d way = problem.goal->ends->back() - problem.goal->ends->front();
+  return std::atan2(way.y, way.x);
 }
 
 Constraints with_class(Constraints constraints, std::optional<RequiredClass> required) {
@@ -118,12 +126,13 @@ SegmentModel::SegmentModel(const StraightLineProblem& problem, const LinkageSegm
       class_(class_of(problem, start)),
       link_limits_(with_class(problem.constraints, class_), 1.0),
       nodes_(std::move(nodes)),
-      has_direction_(problem.goal->direction.has_value()) {
+      direction_(direction_of(problem)),
+      has_place_(limits_place(problem)) {
   list_links();
   list_segment(start);
   list_places();
-  if (has_direction_) {
-    const double off = start.frame_angle + start.line - *problem.goal->direction;
+  if (direction_) {
+    const double off = start.frame_angle + start.line - *direction_;
     half_turns_ = kPi * std::round(off / kPi);
   }
   Rows rows(*this, {}, {});
@@ -232,16 +241,25 @@ void SegmentModel::add_rows(const All& at, Rows& rows) const {
   const double unit = 1 / at[length];
   const T along = curve.places.back() - curve.places.front();
   rows.add(unit * along - T(1), {{length, -value(along) * unit * unit}});
-  if (has_direction_) {
-    rows.add(at[frame_angle] + at[line] - *problem_.goal->direction - half_turns_,
-             {{frame_angle, 1}, {line, 1}});
+  if (direction_) {
+    rows.add(at[frame_angle] + at[line] - *direction_ - half_turns_, {{frame_angle, 1}, {line, 1}});
   }
+  if (has_place_) add_place(curve, at, rows);
   if (objective_ != SegmentObjective::deviation) add_band(curve, at, rows);
   add_sizes(at, rows);
   add_links(at, rows);
   add_transmission(curve, rows);
   if (problem_.segment.speed_variation_max) add_speeds(curve, at, rows);
   add_pivot(at, rows);
+}
+
+/// The middle of the line, seen from A in the directions of the line, is the origin.
+template <class T>
+void SegmentModel::add_place(const Curve<T>& curve, const All& at, Rows& rows) const {
+  const auto [x, y] = unit_vector(*direction_ + half_turns_);
+  const T middle = T(0.5) * (curve.places.front() + curve.places.back());
+  rows.add(T(x) * middle + T(at[pivot_x] - y * at[height]), {{pivot_x, 1.0}, {height, -y}});
+  rows.add(T(y) * middle + T(at[pivot_y] + x * at[height]), {{pivot_y, 1.0}, {height, x}});
 }
 
 /// |h| ≤ δ, over the length where δ is relative.

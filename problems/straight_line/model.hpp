@@ -50,6 +50,10 @@ inline constexpr double kDeadPointMargin = 0.0175;  // 1°
 /// limits. Least max |h|/L over the nodes for `deviation`; |h| ≤ δ at the nodes for the others. The
 /// length is that between the feet of the ends. All derivatives are exact, by dual numbers.
 ///
+/// Where the place is limited beside the ends of the line (`limits_place`), pivot and frame's
+/// direction are variables that equations tie to the line; limits of the pivots are then limits of
+/// the linkage's shape.
+///
 /// Without a scale in the file (`has_scale`) the length is 1.
 class SegmentModel final : public synthesis::Model {
  public:
@@ -67,7 +71,7 @@ class SegmentModel final : public synthesis::Model {
   std::span<const synthesis::Variable> variables() const override { return variables_; }
   int residual_count() const override;
   int constraint_count() const override { return constraint_count_; }
-  int equality_count() const override { return has_direction_ ? 2 : 1; }
+  int equality_count() const override { return 1 + (direction_ ? 1 : 0) + (has_place_ ? 2 : 0); }
   synthesis::Objective objective() const override;
   bool residuals(std::span<const double> x, std::span<double> r, std::span<double> jacobian,
                  std::span<double> local) const override;
@@ -111,6 +115,8 @@ class SegmentModel final : public synthesis::Model {
   template <class T>
   void add_rows(const All& at, Rows& rows) const;
   template <class T>
+  void add_place(const Curve<T>& curve, const All& at, Rows& rows) const;
+  template <class T>
   void add_band(const Curve<T>& curve, const All& at, Rows& rows) const;
   void add_sizes(const All& at, Rows& rows) const;
   void add_links(const All& at, Rows& rows) const;
@@ -127,8 +133,9 @@ class SegmentModel final : public synthesis::Model {
   std::optional<RequiredClass> class_;
   LinkageConstraints link_limits_;
   std::vector<double> nodes_;
-  bool has_direction_ = false;
-  double half_turns_ = 0;  ///< of the line's sense against `direction`
+  std::optional<double> direction_;  ///< of the line, either way along it
+  bool has_place_ = false;           ///< the middle of the line is the origin
+  double half_turns_ = 0;            ///< of the line's sense against `direction_`
   std::vector<synthesis::Variable> variables_;
   std::vector<Dimension> free_;
   All fixed_{};

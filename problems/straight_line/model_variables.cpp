@@ -96,7 +96,7 @@ void SegmentModel::list_segment(const LinkageSegment& start) {
 void SegmentModel::list_places() {
   const auto& [given, bounds] = std::tie(problem_.given, problem_.bounds);
   const auto& region = problem_.constraints.pivot_region;
-  const bool boxed = bounds.pivot_a || bounds.pivot_d || region;
+  const bool boxed = bounds.pivot_a || bounds.pivot_d || region || has_place_;
   const Range anywhere{-2 * kFarthest, 2 * kFarthest};
   const auto pivot = [&](double Vec2d::*axis) -> std::pair<std::optional<double>, Range> {
     if (given.pivot_a) return {side(given.pivot_a, axis), anywhere};
@@ -106,7 +106,7 @@ void SegmentModel::list_places() {
   const auto x = pivot(&Vec2d::x), y = pivot(&Vec2d::y);
   add_variable(pivot_x, x.first, x.second, "pivot x");
   add_variable(pivot_y, y.first, y.second, "pivot y");
-  const bool turns = boxed || has_direction_ || bounds.frame_angle || given.pivot_d;
+  const bool turns = boxed || direction_ || bounds.frame_angle || given.pivot_d;
   const auto angle = given.frame_angle || turns ? given.frame_angle : std::optional(0.0);
   add_variable(frame_angle, angle, intersect({-2 * kTurn, 2 * kTurn}, bounds.frame_angle),
                "frame angle");

@@ -15,6 +15,7 @@
 #include "problems/linkage/verify.hpp"
 #include "problems/search/solver_origin.hpp"
 #include "problems/straight_line/model.hpp"
+#include "problems/straight_line/placing.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {
@@ -80,6 +81,11 @@ class SegmentChecks {
     const bool met = std::abs(value - *wanted) <= kSegmentTolerance * *wanted;
     design_.constraints.push_back({name, value, *wanted, met});
   }
+  /// Of the feet of the path's ends, of a line of that length.
+  void ends(double distance, double length) {
+    const Range range{0, kSegmentTolerance * length};
+    add("target.ends", distance, range, distance <= range.max);
+  }
   void within(const char* name, double value, const Range& range) {
     const double slack = kSegmentTolerance * range.max;
     add(name, value, range, value >= range.min - slack && value <= range.max + slack);
@@ -99,12 +105,16 @@ class SegmentChecks {
   Design& design_;
 };
 
-void add_checks(const StraightLineProblem& problem, const StraightSegment& straight,
-                Design& design) {
+void add_checks(const StraightLineProblem& problem, const Path& path,
+                const StraightSegment& straight, Design& design) {
   const StraightLineGoal& goal = *problem.goal;
   const SegmentConstraints& limits = problem.segment;
   SegmentChecks checks(design);
-  checks.equal("target.length", straight.length, goal.length);
+  if (goal.ends) {
+    checks.ends(distance_from_ends(problem, path, straight), *goal.length);
+  } else {
+    checks.equal("target.length", straight.length, goal.length);
+  }
   checks.at_most("target.deviation", straight.deviation, goal.deviation);
   checks.at_most("target.deviation_relative", straight.deviation / straight.length,
                  goal.deviation_relative);
@@ -144,14 +154,14 @@ void add_quantities(const LinkageSegment& found, const Path& path, const Straigh
 }  // namespace
 
 Design searched_design(const StraightLineProblem& problem, const SegmentDesign& found) {
-  const LinkageSegment& segment = found.segment;
+  const LinkageSegment segment = in_file_plane(problem, found.segment);
   Design design;
   design.mechanism = mechanism_of(problem, segment);
   const Path path = path_of(design.mechanism.mechanism, {kCouplerLink, segment.dimensions.point});
   const double turns = kTurn * std::floor((segment.from() + segment.frame_angle + 1e-12) / kTurn);
   const double from = segment.from() + segment.frame_angle - turns;
   const double to = segment.to() + segment.frame_angle - turns;
-  const StraightSegment straight = measure(path, from, to);
+  const StraightSegment straight = measured(problem, path, from, to);
   design.crank_angles = {in_one_turn(from), in_one_turn(to)};
   const std::vector<double> sides = cognate::sides(design.mechanism.mechanism);
   const std::array<DriveState, 3> states{
@@ -165,7 +175,7 @@ Design searched_design(const StraightLineProblem& problem, const SegmentDesign& 
     design.constraints =
         check_constraints(problem.constraints, problem.bounds, design.mechanism, design.metrics);
   }
-  add_checks(problem, straight, design);
+  add_checks(problem, path, straight, design);
   design.metrics.quantities.push_back({"start_family", found.origin});
   const auto begun = synthesis::Solver::gauss_newton, last = last_solver(problem);
   design.origin = fmt::format("search + {}", synthesis::name(begun));

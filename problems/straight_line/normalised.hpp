@@ -27,7 +27,9 @@ struct SegmentMeasures {
 /// "deviation_relative", "crank_from_deg", "crank_to_deg", "direction_deg", "speed_variation",
 /// "size_over_length" (largest dimension of a link, the coupler's with its point, over the length),
 /// "straight_length_over_longest_link" and "straight_length_over_box" (the diagonal of the box
-/// along the line that holds both moving pivots over the segment). `found` is in the file's unit.
+/// along the line that holds both moving pivots over the segment). `found` is in the file's unit
+/// (`in_file_unit`) and comes to the line's place here; the deviation is from the line through
+/// `target.ends` where the file has them.
 Design searched_design(const StraightLineProblem& problem, const SegmentDesign& found);
 
 SegmentMeasures measures_of(const Design& design);

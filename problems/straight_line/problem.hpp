@@ -39,6 +39,9 @@ struct StraightLineGoal {
   std::optional<double> deviation;           ///< greatest, half the strip's width
   std::optional<double> deviation_relative;  ///< greatest, over the length
   std::optional<double> direction;           ///< of the line, either way along it
+  /// Of the line in the plane, either the first along the motion. Readers set `length` to their
+  /// distance and leave `direction` empty.
+  std::optional<std::array<Vec2d, 2>> ends;
 };
 
 /// `[constraints]` that a segment has beside those of linkages.

@@ -13,6 +13,7 @@
 #include "problems/raster/keys.hpp"
 #include "problems/raster/read.hpp"
 #include "problems/straight_line/model.hpp"
+#include "problems/straight_line/placing.hpp"
 #include "problems/straight_line/raster.hpp"
 
 namespace cognate::problems::reading {
@@ -30,6 +31,10 @@ std::string_view refusal_of(const StraightLineProblem& problem) {
   if (wants_front(problem)) {
     return "is given with neither target.length nor a deviation, for which a front is searched; "
            "add one of them";
+  }
+  if (limits_place(problem)) {
+    return "is given with target.ends and limits of where the linkage stands beside them, which "
+           "dimensions on a raster do not meet; remove these limits or the ends";
   }
   const Given& given = problem.given;
   if (problem.goal->direction && (given.frame_angle || (given.pivot_a && given.pivot_d))) {

@@ -11,6 +11,7 @@
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/read_linkage.hpp"
 #include "problems/straight_line/keys.hpp"
+#include "problems/straight_line/read_ends.hpp"
 #include "problems/straight_line/read_raster.hpp"
 #include "problems/straight_line/segment.hpp"
 #include "problems/tolerance/read.hpp"
@@ -25,6 +26,7 @@ constexpr double kSpeedVariation = 0.1;
 StraightLineGoal read_goal(TableReader& target) {
   StraightLineGoal goal;
   read_keys(target, kGoalKeys, goal);
+  read_ends(target, goal);
   if (target.has("deviation") && target.has("deviation_relative")) {
     target.fault("deviation_relative",
                  "is given beside deviation; give the one in units of length or the other");
@@ -65,6 +67,18 @@ void read_slider_crank(TableReader& mechanism, TableReader& bounds, StraightLine
     bounds.fault(key, "limits a link that a slider-crank does not have; remove it");
   }
   check_given(mechanism, given, problem.bounds);
+}
+
+/// Where the one pivot of a slider-crank stands, and which way its slide line goes, is open unless
+/// the line has a place.
+void read_region(TableReader& constraints, StraightLineProblem& problem) {
+  const bool slides = problem.type == MechanismType::slider_crank;
+  if (slides && !problem.goal->ends && constraints.has("pivot_region")) {
+    constraints.fault("pivot_region",
+                      "is given for a line without a place; add target.ends, or remove it");
+    return;
+  }
+  read_pivot_region(constraints, problem.given, problem.constraints);
 }
 
 SegmentConstraints read_segment_keys(TableReader& constraints, bool constant_velocity) {
@@ -124,7 +138,7 @@ StraightLineProblem read_straight_line_search(TableReader& document) {
   if (!constraints.has("link_ratio_max") && allows_usual_ratio(problem)) {
     problem.constraints.link_ratio_max = kLinkRatio;
   }
-  if (!slides) read_pivot_region(constraints, problem.given, problem.constraints);
+  read_region(constraints, problem);
   problem.segment = read_segment_keys(constraints, constant_velocity);
   check_scale(target, problem);
   problem.solve = read_solve(solve, problem.constraints, false);

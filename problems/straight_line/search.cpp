@@ -12,6 +12,7 @@
 #include "problems/search/solver_origin.hpp"
 #include "problems/straight_line/model.hpp"
 #include "problems/straight_line/peaks.hpp"
+#include "problems/straight_line/placing.hpp"
 #include "problems/straight_line/segment_rules.hpp"
 #include "synthesis/optimise/solver.hpp"
 #include "synthesis/search/multi_start.hpp"
@@ -76,7 +77,8 @@ class Search {
         work_(work),
         objective_(objective_of(problem)),
         solver_(last_solver(problem)),
-        search_({}, {run.threads, deadline, run.progress}) {}
+        has_place_(limits_place(problem)),
+        search_({.has_place = has_place_}, {run.threads, deadline, run.progress}) {}
 
   std::vector<SegmentStart> draw(int wanted);
   void begin(const std::vector<LinkageSegment>& known, const std::vector<SegmentStart>& starts);
@@ -98,6 +100,7 @@ class Search {
   void refine(const StraightLineProblem& problem, SegmentDesign& found, std::vector<double> nodes,
               Solver solver, int iterations) const;
   void refine_start(SegmentDesign& found) const;
+  LinkageSegment in_place(LinkageSegment segment) const;
   SegmentDesign disturbed(std::uint64_t number) const;
   void approach(SegmentDesign& found, const std::vector<double>& nodes) const;
   void refine_within(SegmentDesign& found, const std::vector<double>& nodes, Solver solver) const;
@@ -114,9 +117,16 @@ class Search {
   Work& work_;
   SegmentObjective objective_;
   Solver solver_;
+  bool has_place_;
   synthesis::MultiStart<SegmentRules> search_;
   synthesis::WorkCounter solved_;
 };
+
+/// In the best of its places on the line, by its own best line.
+LinkageSegment Search::in_place(LinkageSegment segment) const {
+  if (!has_place_ || !fit_line(segment)) return segment;
+  return placed(problem_, segment);
+}
 
 /// The most promising of many, shared out over the families: each in turn gives its next best.
 std::vector<SegmentStart> Search::draw(int wanted) {
@@ -231,7 +241,7 @@ void Search::begin(const std::vector<LinkageSegment>& known,
                    const std::vector<SegmentStart>& starts) {
   std::vector<SegmentDesign> fresh;
   for (const LinkageSegment& segment : known) {
-    fresh.push_back(unrefined(segment, "neighbour"));
+    fresh.push_back(unrefined(in_place(segment), "neighbour"));
   }
   for (const SegmentStart& start : starts) {
     fresh.push_back(unrefined(start.segment, std::string(name(start.family))));
@@ -258,7 +268,7 @@ SegmentDesign Search::disturbed(std::uint64_t number) const {
   for (double& value : x) {
     value += size * uniform(random, -1, 1) * std::max(kLeastUnit, std::abs(value));
   }
-  return unrefined(model.segment(x), parent.origin);
+  return unrefined(in_place(model.segment(x)), parent.origin);
 }
 
 /// Further starts: designs found before, disturbed. Local minima lie close together, so that good

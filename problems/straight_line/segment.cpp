@@ -27,6 +27,24 @@ void divide(std::optional<Box>& box, double unit) {
   box = Box{{box->min.x / unit, box->min.y / unit}, {box->max.x / unit, box->max.y / unit}};
 }
 
+/// Every place of the plane that a problem names.
+template <class Move>
+void move_places(StraightLineProblem& problem, const Move& move) {
+  const auto each = [&](auto& place) {
+    if (place) move(*place);
+  };
+  const auto corners = [&](std::optional<Box>& box) {
+    if (!box) return;
+    move(box->min);
+    move(box->max);
+  };
+  each(problem.given.pivot_a);
+  each(problem.given.pivot_d);
+  corners(problem.bounds.pivot_a);
+  corners(problem.bounds.pivot_d);
+  corners(problem.constraints.pivot_region);
+}
+
 double difference(double a, double b) {
   return std::abs(std::remainder(a - b, kTurn));
 }
@@ -68,7 +86,18 @@ std::optional<double> fit_line(LinkageSegment& segment) {
   return measured.deviation;
 }
 
+LinkageSegment in_file_unit(LinkageSegment segment, double unit) {
+  segment = enlarged(segment, unit);
+  segment.pivot_a = unit * segment.pivot_a;
+  return segment;
+}
+
 StraightLineProblem in_unit(StraightLineProblem problem, double unit) {
+  if (auto& ends = problem.goal->ends) {
+    const Vec2d middle = 0.5 * (ends->front() + ends->back());
+    move_places(problem, [&middle](Vec2d& place) { place = place - middle; });
+    for (Vec2d& end : *ends) end = (1 / unit) * (end - middle);
+  }
   for (auto* length : {&problem.goal->length, &problem.goal->deviation, &problem.given.crank,
                        &problem.given.coupler, &problem.given.rocker, &problem.given.frame,
                        &problem.slider_offset}) {
@@ -92,10 +121,11 @@ StraightLineProblem in_unit(StraightLineProblem problem, double unit) {
 bool has_scale(const StraightLineProblem& problem) {
   const Given& given = problem.given;
   const Bounds& bounds = problem.bounds;
+  const bool places = bounds.pivot_a || bounds.pivot_d || problem.constraints.pivot_region;
   return given.crank || given.coupler || given.rocker || given.frame || given.coupler_point ||
          (given.pivot_a && given.pivot_d) || bounds.crank || bounds.coupler || bounds.rocker ||
-         bounds.frame || bounds.coupler_point || bounds.pivot_a || bounds.pivot_d ||
-         problem.slider_offset.value_or(0) != 0 || problem.constraints.pivot_region;
+         bounds.frame || bounds.coupler_point || problem.slider_offset.value_or(0) != 0 ||
+         (places && !problem.goal->ends);
 }
 
 bool same_segment(const LinkageSegment& a, const LinkageSegment& b, double tolerance) {

@@ -49,11 +49,16 @@ LinkageSegment enlarged(LinkageSegment segment, double factor);
 /// length.
 std::optional<double> fit_line(LinkageSegment& segment);
 
-/// The problem's lengths divided by `unit`.
+/// The problem's lengths divided by `unit`. Places count from the middle of the line where it has
+/// ends.
 StraightLineProblem in_unit(StraightLineProblem problem, double unit);
 
+/// The same with the pivot's place, from the unit of a search to that of the file; of a line that
+/// has ends it still counts from their middle.
+LinkageSegment in_file_unit(LinkageSegment segment, double unit);
+
 /// Whether something fixes the linkage's scale other than the length of the segment: a dimension
-/// given, a bound of one, or a place of a pivot.
+/// given, a bound of one, or, where the line itself has no place, a place of a pivot.
 bool has_scale(const StraightLineProblem& problem);
 
 }  // namespace cognate::problems

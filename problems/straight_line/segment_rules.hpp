@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "problems/straight_line/placing.hpp"
 #include "problems/straight_line/search.hpp"
 
 namespace cognate::problems {
@@ -24,13 +25,17 @@ inline bool is_better(const SegmentDesign& a, const SegmentDesign& b) {
 struct SegmentRules {
   using Candidate = SegmentDesign;
   bool by_promise = true;
+  /// While starts are ranked the places of one linkage are different designs, since limits of the
+  /// place may leave some of them only.
+  bool has_place = false;
 
   static bool has_value(const SegmentDesign& found) { return std::isfinite(found.violation); }
   bool precedes(const SegmentDesign& a, const SegmentDesign& b) const {
     return by_promise ? a.promise < b.promise : is_better(a, b);
   }
-  static bool is_same(const SegmentDesign& known, const SegmentDesign& other, double tolerance) {
-    return same_segment(other.segment, known.segment, tolerance);
+  bool is_same(const SegmentDesign& known, const SegmentDesign& other, double tolerance) const {
+    if (!same_segment(other.segment, known.segment, tolerance)) return false;
+    return !has_place || !by_promise || same_place(other.segment, known.segment, tolerance);
   }
   double value(const SegmentDesign& found) const {
     return !by_promise && is_feasible(found) ? found.objective : kInfinity;

@@ -12,6 +12,7 @@
 #include "problems/basics/counter_random.hpp"
 #include "problems/linkage/linkage_constraints.hpp"
 #include "problems/straight_line/model.hpp"
+#include "problems/straight_line/placing.hpp"
 #include "synthesis/exact/straight_line/straight_points.hpp"
 
 namespace cognate::problems {
@@ -275,6 +276,13 @@ std::optional<SegmentStart> SegmentStarts::best_segment(const LinkageSegment& dr
   return start;
 }
 
+/// In the best of its places; how far that is off counts like deviation.
+void SegmentStarts::bring_into_place(SegmentStart& start) const {
+  constexpr double kWeight = 4;
+  start.segment = placed(problem_, start.segment);
+  start.score *= 1 + kWeight * place_violation(problem_, start.segment);
+}
+
 std::optional<SegmentStart> SegmentStarts::draw(std::uint64_t seed, std::uint64_t index) {
   const auto all = families(problem_.type);
   const SegmentFamily family = all[index % all.size()];
@@ -294,7 +302,9 @@ std::optional<SegmentStart> SegmentStarts::draw(std::uint64_t seed, std::uint64_
   drawn = enlarged(drawn, 1 / largest_dimension(drawn));
   if (!accept(drawn) || !sample(drawn, second_range)) return std::nullopt;
   auto start = best_segment(drawn);
-  if (start) start->family = family;
+  if (!start) return start;
+  start->family = family;
+  if (limits_place(problem_)) bring_into_place(*start);
   return start;
 }
 

@@ -50,6 +50,7 @@ class SegmentStarts {
   void bring_to_scale(LinkageSegment& drawn) const;
   bool sample(const LinkageSegment& drawn, bool second_range);
   std::optional<SegmentStart> best_segment(const LinkageSegment& drawn);
+  void bring_into_place(SegmentStart& start) const;
 
   const StraightLineProblem& problem_;
   std::vector<double> angles_;

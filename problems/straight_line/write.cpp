@@ -1,4 +1,6 @@
 /// A straight-line problem written down, and checked by reading what was written.
+#include <cmath>
+
 #include "problems/layers/read.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/linkage/write_linkage.hpp"
@@ -28,6 +30,18 @@ TableWriter slider_crank_writer(const Given& given, const std::optional<double>&
       .set_deg("direction_deg", direction)
       .set("coupler_point", given.coupler_point)
       .set_name("assembly", given.assembly);
+}
+
+/// What the ends say, length and direction, is left out where it is the same.
+TableWriter goal_writer(StraightLineGoal goal) {
+  constexpr double kSame = 1e-12;
+  if (goal.ends && goal.length) {
+    const double distance = norm(goal.ends->back() - goal.ends->front());
+    if (std::abs(*goal.length - distance) <= kSame * distance) goal.length.reset();
+  }
+  TableWriter table;
+  table.set("ends", goal.ends);
+  return write_keys(goal, kGoalKeys, table);
 }
 
 TableWriter exact_mechanism(const StraightLineProblem& problem) {
@@ -61,8 +75,7 @@ reading::Written KindTraits<StraightLineProblem>::written(const StraightLineProb
   write_design_layers(problem.layers, constraints);
   if (problem.goal) {
     write_keys(problem.segment, kSegmentKeys, constraints);
-    TableWriter target;
-    document.set("target", write_keys(*problem.goal, kGoalKeys, target))
+    document.set("target", goal_writer(*problem.goal))
         .set("mechanism", searched_mechanism(problem))
         .set("bounds", bounds_writer(problem.bounds))
         .set("constraints", constraints)

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import { test } from "node:test";
-import { analysed, choose, click, jointsOf, moving, pinsAt, saidOf, sheetOf, typedIn, visit } from "./building.mjs";
+import { analysed, choose, click, jointsOf, linksOf, moving, pinsAt, saidOf, sheetOf, typedIn, visit } from "./building.mjs";
 import { distance, moves, some } from "./browser.mjs";
 
 const LIBRARY = new URL("../../problems/library/analysis/", import.meta.url).pathname;
@@ -84,6 +84,52 @@ test("a click with the tool of loads puts a torque on a link, and it acts when o
   assert.equal(await page.locator('[data-cell="load.L1.acts"]').inputValue(), "return L1");
   await typedIn(page, "load.L1.torque", "0");
   assert.equal(await page.locator("#torques-rows tr").count(), 0);
+}));
+
+test("a torque is selected by a click on its arc, or by keys; a click with the tool of loads turns it round", () => visit({}, async (page) => {
+  await page.locator("[data-example=four_bar]").click();
+  await moving(page);
+  await choose(page, "load");
+  const { A, B } = await jointsOf(page), middle = A.at.map((x, k) => (x + B.at[k]) / 2);
+  await click(page, middle);
+  await moving(page);
+  await choose(page, "move");
+  // On the arc as it is drawn, where it is farthest from the pins.
+  const onArc = async () => page.locator("[data-load=L1] path:last-child").evaluate((arc) => {
+    const places = Array.from({ length: 33 }, (_, i) => arc.getPointAtLength((0.02 + 0.02 * i) * arc.getTotalLength()).matrixTransform(arc.getScreenCTM())).map(({ x, y }) => [x, y]);
+    const pins = ["A", "B"].map((name) => document.querySelector(`[data-pin=${name}]`).getBoundingClientRect()).map(({ x, y, width, height }) => [x + width / 2, y + height / 2]);
+    const room = (at) => Math.min(...pins.map((pin) => Math.hypot(at[0] - pin[0], at[1] - pin[1])));
+    return places.reduce((best, at) => (room(at) > room(best) ? at : best));
+  });
+  const isChosen = () => page.locator('[data-part="load.L1"]').evaluate((row) => row.classList.contains("chosen"));
+  await page.keyboard.press("Escape");
+  assert.equal(await isChosen(), false);
+  await page.mouse.click(...await onArc());
+  assert.ok(await isChosen());
+  // Inside the arc the link is selected.
+  await click(page, middle);
+  assert.equal(await isChosen(), false);
+  assert.ok(await page.locator('[data-row="link.L1"]').evaluate((row) => row.classList.contains("chosen")));
+  await choose(page, "load");
+  await page.mouse.click(...await onArc());
+  await moving(page);
+  assert.equal(await page.locator('[data-cell="load.L1.torque"]').inputValue(), "-1");
+  // A drag that begins on it makes no force, and with the tool that moves it takes the link along.
+  await page.keyboard.press("v");
+  const [x, y] = await onArc();
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 30, y + 20, { steps: 3 });
+  await page.mouse.up();
+  const after = await jointsOf(page);
+  assert.ok(distance(after.B.at, B.at) > 1 && await page.locator("#torques-rows tr").count() === 1);
+  const handle = page.locator("[data-load-handle=L1]");
+  assert.match(await handle.getAttribute("aria-label"), /^Torque on L1/);
+  await handle.focus();
+  assert.ok(await isChosen());
+  await page.keyboard.press("Delete");
+  assert.equal(await page.locator("#torques-rows tr").count(), 0);
+  assert.ok("L1" in await linksOf(page));
 }));
 
 // Workers whose questions wait until the page is told to go on, and are counted; and how many of them have been ended.

@@ -33,7 +33,7 @@ test("of a stroke its ends count, and designs go from one to the other as straig
   assert.ok(Math.abs(deviation - design.rms) < 1e-9 && deviation < 0.05);
   assert.ok(least >= 30 - 1e-6 && Math.abs(leastTransmission(design, [design.cranks[0], design.cranks.at(-1)]) - least) < 0.01);
   assert.ok(Math.abs(turned - (design.cranks.at(-1) - design.cranks[0])) < 1e-6);
-  assert.ok(!await page.locator("#region").isVisible() && !await page.locator("#closed").isVisible() && !await page.locator("#by-slider").isVisible());
+  assert.ok(await page.locator("#region").isVisible() && !await page.locator("#obstacle").isVisible() && !await page.locator("#closed").isVisible() && !await page.locator("#by-slider").isVisible());
   await page.locator("[data-take=copy_problem]").click();
   const file = await page.locator("#taken").inputValue();
   assert.match(file, /kind = "straight-line"/);
@@ -100,6 +100,80 @@ test("the speed along the line varies within its limit, which the address and th
   assert.equal(await page.locator("#even").inputValue(), "30");
   await page.locator("#of-curve").click();
   assert.equal(await page.locator("#even").isVisible(), false);
+}));
+
+// Draws a box by shares of the picture.
+async function box(page, from, to) {
+  const { x, y, width, height } = await page.locator("#sheet").boundingBox(), at = ([u, v]) => [x + u * width, y + v * height];
+  await page.locator("#region").click();
+  await page.mouse.move(...at(from));
+  await page.mouse.down();
+  await page.mouse.move(...at(to), { steps: 4 });
+  await page.mouse.up();
+}
+
+const regionOf = (page) => page.url().match(/&b=([^&]+)/)[1].split(",").map(Number);
+
+function assertInside(pivots, [x0, y0, x1, y1]) {
+  for (const [x, y] of pivots) assert.ok(x >= x0 - 1e-5 && x <= x1 + 1e-5 && y >= y0 - 1e-5 && y <= y1 + 1e-5, `${[x, y]} in ${[x0, y0, x1, y1]}`);
+}
+
+// A design of a result as one of the address, for a line.
+const asDrawn = ({ mechanism: { fixed_pivots: [a, d], crank, coupler, rocker, coupler_point: [u, v], assembly }, metrics }, points) =>
+  ({ points, a, d, crank, coupler, rocker, u, v, side: assembly === "crossed" ? -1 : 1, rms: metrics.deviation, cranks: [metrics.crank_from_deg, metrics.crank_to_deg] });
+
+// Above the line, and below it.
+for (const [name, from, to] of [["above", [0.3, 0.05], [0.75, 0.4]], ["below", [0.3, 0.55], [0.75, 0.95]]]) {
+  test(`fixed pivots stand in a box ${name} the line, also those of the file`, () => visit({}, async (page) => {
+    await rulesA(page);
+    await offered(page);
+    await box(page, from, to);
+    await settled(page);
+    const region = regionOf(page), design = addressOf(page);
+    assertInside([design.a, design.d], region);
+    assertOnLine(design);
+    await page.locator("[data-take=copy_problem]").click();
+    const file = await page.locator("#taken").inputValue();
+    assert.match(file, /ends = \[\[/);
+    assert.match(file, /pivot_region = \[\[/);
+    const { status, designs: [best] } = await answered("solve", file.replace(/starts = \d+/, "starts = 120")), own = asDrawn(best, design.points);
+    assert.equal(status, "solved");
+    assertInside([own.a, own.d], region);
+    assertOnLine(own);
+    assert.ok(design.rms <= 2 * own.rms && own.rms <= 2 * design.rms, `${design.rms} against ${own.rms}`);
+    // A step back takes the box away; the address brings it back.
+    const kept = page.url().split("#")[1];
+    await page.locator("#undo").click();
+    assert.ok(!page.url().includes("&b="));
+    await visit({ hash: `#${kept}` }, async (again) => {
+      await offered(again);
+      assert.deepEqual(regionOf(again), region);
+      assertInside([addressOf(again).a, addressOf(again).d], region);
+    });
+  }));
+}
+
+test("an end that is dragged beside a box is searched for anew, and the pivots stay in it", () => visit({}, async (page) => {
+  await rulesA(page);
+  await box(page, [0.3, 0.55], [0.75, 0.95]);
+  await settled(page);
+  const at = await page.locator('[data-target="1"]').boundingBox();
+  await page.mouse.move(at.x + at.width / 2, at.y + at.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(at.x + 40, at.y - 30, { steps: 4 });
+  await page.mouse.up();
+  await settled(page);
+  const design = addressOf(page);
+  assertOnLine(design);
+  assertInside([design.a, design.d], regionOf(page));
+  // A curve keeps the box, a line drawn after it too; no box is kept clear beside lines.
+  const region = regionOf(page);
+  for (const id of ["of-curve", "of-line"]) await page.locator(`#${id}`).click();
+  await rulesA(page);
+  await offered(page);
+  assert.deepEqual(regionOf(page), region);
+  await page.keyboard.press("o");
+  assert.equal(await page.locator("#obstacle").getAttribute("aria-pressed"), "false");
 }));
 
 test("the address holds line and design", () => visit({}, async (page) => {

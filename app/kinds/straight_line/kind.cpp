@@ -12,6 +12,7 @@
 #include "problems/basics/names.hpp"
 #include "problems/straight_line/keys.hpp"
 #include "problems/straight_line/normalised.hpp"
+#include "problems/straight_line/placing.hpp"
 
 namespace cognate::app {
 namespace {
@@ -52,14 +53,14 @@ constexpr QuantityColumn kSearchedLineQuantities[] = {{"straight_length", "strai
 
 /// The distances of the curve from the line that was sought, and the places along it: finer than
 /// the positions drawn resolve. Null without such a stretch.
-ordered_json deviation_json(const problems::Design& design) {
+ordered_json deviation_json(const StraightLineProblem& problem, const problems::Design& design) {
   const auto& quantities = design.metrics.quantities;
   const auto from = find_quantity(quantities, problems::kSegmentFromKey),
              to = find_quantity(quantities, problems::kSegmentToKey);
   const auto& points = design.mechanism.points;
   if (!from || !to || points.empty()) return nullptr;
   const Path path = path_of(design.mechanism.mechanism, points.back().at);
-  const Line line = measure(path, *from, *to).line;
+  const Line line = measured(problem, path, *from, *to).line;
   const Vec2d start = path(*from).at;
   std::vector<double> along, across;
   for (const double crank : crowded(*from, *to, 240)) {
@@ -86,14 +87,17 @@ ColumnChoice Kind<StraightLineProblem>::columns(const StraightLineProblem& probl
   return {.coupler_point = true, .places = true, .quantities = kStraightLineQuantities};
 }
 
-ordered_json Kind<StraightLineProblem>::target_json(const StraightLineProblem& /*problem*/) {
-  return {{"kind", "straight-line"}};
+ordered_json Kind<StraightLineProblem>::target_json(const StraightLineProblem& problem) {
+  ordered_json target{{"kind", "straight-line"}};
+  if (!problem.goal || !problem.goal->ends) return target;
+  for (const Vec2d& end : *problem.goal->ends) target["ends"].push_back({end.x, end.y});
+  return target;
 }
 
 ordered_json Kind<StraightLineProblem>::reached_json(const StraightLineProblem& problem,
                                                      const problems::Design& design) {
   ordered_json entry = reached_points(design);
-  if (problem.goal) entry["deviation"] = deviation_json(design);
+  if (problem.goal) entry["deviation"] = deviation_json(problem, design);
   return entry;
 }
 

@@ -149,6 +149,8 @@ cognate_page_kernel(sketch_kernel
   problems/straight_line/model_variables.cpp
   problems/straight_line/normalised.cpp
   problems/straight_line/peaks.cpp
+  problems/straight_line/placing.cpp
+  problems/straight_line/read_ends.cpp
   problems/straight_line/scan.cpp
   problems/straight_line/search.cpp
   problems/straight_line/segment.cpp

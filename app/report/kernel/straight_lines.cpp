@@ -9,6 +9,7 @@
 #include "problems/linkage/verify.hpp"
 #include "problems/straight_line/keys.hpp"
 #include "problems/straight_line/normalised.hpp"
+#include "problems/straight_line/read_ends.hpp"
 #include "problems/straight_line/search.hpp"
 
 namespace cognate::page {
@@ -21,14 +22,16 @@ using problems::StraightLineProblem;
 /// A place of the crank at either end of the line, and one between.
 constexpr std::size_t kPlacesOfLine = 3;
 
-/// A length and a direction, with what the file format has for limits.
+/// Both ends, with what the file format has for limits.
 std::size_t read_line(problems::reading::LinkageTables& tables, StraightLineProblem& problem) {
   using namespace problems::reading;
   auto& [target, mechanism, bounds, constraints, solve] = tables;
-  require_target(target, "length");
+  require_target(target, "ends");
   problem.goal.emplace();
   read_keys(target, kGoalKeys, *problem.goal);
+  read_ends(target, *problem.goal);
   read_link_constraints(constraints, length_limits({}, {}), problem.constraints);
+  read_pivot_region(constraints, {}, problem.constraints);
   read_keys(constraints, kSegmentKeys, problem.segment);
   problem.solve = read_solve(solve, problem.constraints, false);
   return kPlacesOfLine;
@@ -60,7 +63,7 @@ std::vector<LinkageSegment> known_segments(const std::vector<Design>& known, dou
 
 /// With the deviation as its error and the crank at the places of the line.
 Design line_design(const StraightLineProblem& problem, problems::SegmentDesign found, double unit) {
-  found.segment = enlarged(std::move(found.segment), unit);
+  found.segment = in_file_unit(std::move(found.segment), unit);
   Design design = searched_design(problem, found);
   design.error.rms = design.error.max = problems::measures_of(design).deviation;
   const double from = *find_quantity(design.metrics.quantities, problems::kSegmentFromKey),

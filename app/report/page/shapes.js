@@ -85,6 +85,14 @@ export function pathWithGaps(points) {
 // Of the arc that stands for a torque: its radius in pixels, and the angles it takes.
 const ARC = { radius: 25, from: -60, to: 210 };
 
+// How far a place is from such an arc about another, all in pixels.
+export function distanceToArc([x, y], [u, v]) {
+  const middle = (ARC.from + ARC.to) / 2, half = (ARC.to - ARC.from) / 2;
+  const off = (((Math.atan2(y - v, u - x) * 180) / Math.PI - middle + 540) % 360) - 180;
+  const nearest = ((middle + Math.max(-half, Math.min(half, off))) * Math.PI) / 180;
+  return Math.hypot(u - x - ARC.radius * Math.cos(nearest), v - y + ARC.radius * Math.sin(nearest));
+}
+
 // An arc about a place, with a head at the end to which a torque turns (counter-clockwise: above 0).
 export function arcPath([x, y], torque) {
   if (!torque) return "";

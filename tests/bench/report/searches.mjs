@@ -32,7 +32,14 @@ function lines(i) {
   return { ...state, ...limits, angles: null, straight: true, points: [[-SIZE / 4, 0], [SIZE / 4, SIZE / 10]] };
 }
 
-export const DRAWINGS = [["curves", curve], ["poses", poses], ["functions", functions], ["slider-cranks", sliders], ["lines", lines]];
+// Their pivots stand in a box on either side of the line.
+function boxedLines(i) {
+  const side = i % 2 === 0 ? 1 : -1, [left, width, gap, height] = [-SIZE * (0.2 + 0.4 * random()), SIZE * (0.5 + 0.4 * random()), SIZE * 0.2 * random(), SIZE * (0.35 + 0.35 * random())];
+  const across = [side * gap, side * (gap + height)].sort((p, q) => p - q);
+  return { ...lines(i), class: i % 3 === 0 ? "crank-rocker" : "any", region: [[left, across[0]], [left + width, across[1]]] };
+}
+
+export const DRAWINGS = [["curves", curve], ["poses", poses], ["functions", functions], ["slider-cranks", sliders], ["lines", lines], ["boxed-lines", boxedLines]];
 
 // The search in the page of a build in the folder `build`.
 export async function searchOf(build) {

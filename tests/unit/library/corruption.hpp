@@ -361,6 +361,7 @@ inline void show(Corruption& to, QuickReturnProblem& p) {
 
 inline void show(Corruption& to, StraightLineProblem& p) {
   if (p.goal) to(p.goal->length, p.goal->deviation, p.goal->deviation_relative, p.goal->direction);
+  if (p.goal && p.goal->ends) to(p.goal->ends->front(), p.goal->ends->back());
   to(p.type, p.slider_offset, p.segment.crank_range, p.segment.size_over_length_max,
      p.segment.speed_variation_max, p.contact, p.cranks, p.crank_angle, p.coupler_angle, p.sides);
   if (p.slider) to(p.slider->offset, p.slider->direction);

@@ -10,11 +10,13 @@
 #include "analysis/coupler_curve/straightness.hpp"
 #include "analysis/linkage/four_bar.hpp"
 #include "analysis/mechanism/joints.hpp"
+#include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/linkage/result.hpp"
 #include "problems/linkage/verify.hpp"
 #include "problems/read.hpp"
 #include "problems/straight_line/model.hpp"
+#include "problems/straight_line/placing.hpp"
 #include "problems/straight_line/starts.hpp"
 
 namespace cognate::problems::straight_line_search_test {
@@ -95,6 +97,71 @@ TEST(SegmentModel, HasExactDerivatives) {
   expect_exact_derivatives(problem_of(
       "[target]\nlength = 1\nconstant_velocity = true\n"
       "[mechanism]\ntype = \"slider-crank\"\n[constraints]\nclass = \"crank-rocker\"\n"));
+}
+
+TEST(SegmentModel, HasExactDerivativesByItsPlace) {
+  const std::string region = "[constraints]\npivot_region = [[-3, -2], [4, 5]]\n";
+  expect_exact_derivatives(problem_of("[target]\nends = [[1, 2], [1.6, 2.8]]\n" + region));
+  expect_exact_derivatives(
+      problem_of("[target]\nends = [[1, 2], [1.6, 2.8]]\ndeviation = 0.01\n"
+                 "[mechanism]\nfixed_pivots = [[0, 1], [2, 0]]\n" +
+                 region));
+  expect_exact_derivatives(
+      problem_of("[target]\nends = [[0, 0], [-1, 0]]\n[mechanism]\nframe_angle_deg = 20\n"
+                 "[bounds]\npivot_a = [[-9, -9], [9, 9]]\npivot_d = [[-9, -9], [9, 9]]\n"));
+  expect_exact_derivatives(problem_of(
+      "[target]\nends = [[0, 0], [0, 1]]\n[mechanism]\ntype = \"slider-crank\"\n" + region));
+}
+
+/// Half way from (1, 2) to (1.6, 2.8), and the direction from there.
+constexpr Vec2d kMiddle{1.3, 2.4}, kAlong{0.6, 0.8};
+
+void expect_on_line(const LinkageSegment& put) {
+  const CouplerMotion<double> motion(put.type, put.dimensions, sign(put.assembly));
+  const auto at = [&](double angle) {
+    return put.pivot_a + unit_vector(put.frame_angle) * motion.at(angle).at;
+  };
+  const Vec2d along = kAlong, middle = kMiddle, first = at(put.from()), last = at(put.to());
+  EXPECT_NEAR(dot(along, 0.5 * (first + last) - middle), 0, 1e-12);
+  // The line is the middle of the strip: the curve is as far to one side of it as to the other.
+  double least = 0, most = 0;
+  for (int i = 0; i <= 4000; ++i) {
+    const double height = cross(along, at(put.from() + 2 * put.reach * i / 4000) - middle);
+    least = std::min(least, height);
+    most = std::max(most, height);
+  }
+  EXPECT_NEAR(least, -most, 1e-6);
+}
+
+/// A linkage has four places on a line: those that reflections in the line and in the perpendicular
+/// through its middle make of one. A region about the pivots of any of them has it there.
+TEST(SegmentModel, HasFourPlacesOnALine) {
+  StraightLineProblem problem = problem_of(
+      "[target]\nends = [[1, 2], [1.6, 2.8]]\n[constraints]\npivot_region = [[0, 0], [9, 9]]\n");
+  for (const MechanismType type : {MechanismType::four_bar, MechanismType::slider_crank}) {
+    problem.type = type;
+    LinkageSegment segment = a_segment(type);
+    ASSERT_TRUE(fit_line(segment));
+    const LinkageSegment any = placed(problem, segment);
+    for (const double across : {1.0, -1.0}) {
+      for (const double back : {1.0, -1.0}) {
+        const auto image = [&](const Vec2d& point) {
+          const Vec2d own = conj(kAlong) * (point - kMiddle);
+          return kMiddle + kAlong * Vec2d{back * own.x, across * own.y};
+        };
+        const Vec2d frame = any.dimensions.links[3] * unit_vector(any.frame_angle);
+        const Vec2d a = image(any.pivot_a), d = image(any.pivot_a + frame);
+        problem.constraints.pivot_region = type == MechanismType::slider_crank
+                                               ? Box{a, a}
+                                               : Box{{std::min(a.x, d.x), std::min(a.y, d.y)},
+                                                     {std::max(a.x, d.x), std::max(a.y, d.y)}};
+        const LinkageSegment put = placed(problem, segment);
+        EXPECT_NEAR(place_violation(problem, put), 0, 1e-12);
+        EXPECT_NEAR(norm(put.pivot_a - a), 0, 1e-12);
+        expect_on_line(put);
+      }
+    }
+  }
 }
 
 TEST(SegmentStarts, AreStretchesOfTheirOwnCurves) {

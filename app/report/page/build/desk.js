@@ -72,7 +72,9 @@ export class Desk {
 
   #placeOf(spot) { return spot.joint !== undefined || spot.at ? placeOfSpot(this.state, spot) : jointOf(this.state, loadOf(this.state, spot.load)?.on)?.at ?? this.began; }
 
+  // A torque goes with its link.
   #carry(place, pixels) {
+    if (this.from.load !== undefined && this.from.link !== undefined) this.from = { link: this.from.link, at: this.from.at };
     const { joint, link, load } = this.from, now = this.steps.present;
     if (joint !== undefined) this.state = moveJoint(now, joint, this.page.snap(place));
     else if (load !== undefined) this.state = setLoad(now, load, this.page.snap(place).map((x, k) => Math.round(FORCE_SCALE * (x - jointOf(now, loadOf(now, load).on).at[k])))) ?? now;
@@ -141,7 +143,7 @@ export class Desk {
   }
 
   select(spot) {
-    const [kind] = ["joint", "link", "load"].filter((one) => spot?.[one] !== undefined);
+    const [kind] = ["joint", "load", "link"].filter((one) => spot?.[one] !== undefined);
     this.chosen = kind ? { [kind]: spot[kind] } : null;
     this.page.settle();
   }

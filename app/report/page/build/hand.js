@@ -9,20 +9,43 @@ import { arrange } from "../sketch/grips.js";
 const STILL_PIXELS = 5;
 const REACH = { mouse: 11, pen: 13, touch: 20 };   // pixels
 
+// Handles for the keyboard at parts of one kind, "joint" or "load", each with its name in `attribute`.
+class PartHandles {
+  constructor(kind, on, attribute) { Object.assign(this, { kind, on, attribute, handles: [], names: [], root: svg("g") }); }
+
+  #handle(i) {
+    const handle = svg("circle", { class: "build-handle", r: 12, tabindex: 0, role: "button" }), part = () => ({ [this.kind]: this.names[i] });
+    handle.addEventListener("focus", () => this.on.focus(part()));
+    handle.addEventListener("keydown", (event) => {
+      if (event.ctrlKey || event.altKey || event.metaKey || !this.on.key(part(), event)) return;
+      event.preventDefault();
+      event.stopPropagation();
+    });
+    return handle;
+  }
+
+  // `parts`: {name, at, label}, `at` in pixels.
+  show(parts) {
+    this.names = parts.map(({ name }) => name);
+    arrange(this.handles, this.root, parts.map(({ at }) => at), (i) => this.#handle(i), (i) => ({ [this.attribute]: this.names[i], "aria-label": parts[i].label }));
+  }
+
+  of(name) { return this.handles[this.names.indexOf(name)]; }
+}
+
 export class Hand {
   // `on`, of places in the plane and a reach there: press, move(place, reach, pixels since the last), lift(place, reach, moved), hover(place,
   // reach, by keys), put(place, reach) by keys, cancel(), abandon() of what a finger began before a
-  // second one came, pinch(factor, at, way) of the two in pixels of the picture, leave(), carry(event) of a key, whether it has used it; of joints by name: key(name, event), whether it has used the key, and focus(name). `view()` is that of the picture.
+  // second one came, pinch(factor, at, way) of the two in pixels of the picture, leave(), carry(event) of a key, whether it has used it; of parts {joint} or {load}: key(part, event), whether it has used the key, and focus(part). `view()` is that of the picture.
   constructor(frame, view, on) {
-    Object.assign(this, { view, on, handles: [], names: [], pointer: null, fingers: new Map(), isPinched: false });
+    Object.assign(this, { view, on, joints: new PartHandles("joint", on, "data-joint"), loads: new PartHandles("load", on, "data-load-handle"), pointer: null, fingers: new Map(), isPinched: false });
     this.area = svg("rect", { class: "draw-handle", width: "100%", height: "100%", tabindex: 0, role: "button", id: "sheet", "aria-label": say("build.sheet") });
     this.area.addEventListener("keydown", (event) => this.#carry(event));
     this.area.addEventListener("blur", () => on.leave());
     this.cross = new Cross(this.area, view, (place) => on.put(place, this.#reach("mouse")), (place) => on.hover(place, this.#reach("mouse"), true));
     this.line = svg("path", { class: "build-preview" });
     this.ring = svg("circle", { class: "build-ring", r: 11, hidden: "" });
-    this.holder = svg("g");
-    this.root = svg("svg", { class: "sketch-surface", role: "group", "aria-label": say("build.sheet") }, this.area, this.line, this.ring, this.cross.root, this.holder);
+    this.root = svg("svg", { class: "sketch-surface", role: "group", "aria-label": say("build.sheet") }, this.area, this.line, this.ring, this.cross.root, this.joints.root, this.loads.root);
     frame.append(this.root);
     this.area.addEventListener("pointerdown", (event) => this.#press(event));
     this.area.addEventListener("pointermove", (event) => this.#move(event));
@@ -103,27 +126,16 @@ export class Hand {
     if (p) set(this.ring, { cx: round(q[0]), cy: round(q[1]) });
   }
 
-  #handle(i) {
-    const handle = svg("circle", { class: "build-handle", r: 12, tabindex: 0, role: "button" });
-    handle.addEventListener("focus", () => this.on.focus(this.names[i]));
-    handle.addEventListener("keydown", (event) => {
-      if (event.ctrlKey || event.altKey || event.metaKey || !this.on.key(this.names[i], event)) return;
-      event.preventDefault();
-      event.stopPropagation();
-    });
-    return handle;
-  }
-
-  // A handle for the keyboard at each of `joints`, {name, at} where it is seen.
-  show(joints) {
-    const { width, height } = this.view();
+  // A handle for the keyboard at each of `joints` and `loads`, {name, at, label} where it is seen.
+  show(joints, loads) {
+    const { width, height } = this.view(), placed = (parts) => parts.map((part) => ({ ...part, at: this.view().screen(part.at) }));
     set(this.root, { viewBox: `0 0 ${width} ${height}` });
-    this.names = joints.map(({ name }) => name);
-    arrange(this.handles, this.holder, joints.map(({ at }) => this.view().screen(at)), (i) => this.#handle(i),
-      (i) => ({ "data-joint": this.names[i], "aria-label": say("build.joint", { name: this.names[i] }) }));
+    this.joints.show(placed(joints));
+    this.loads.show(placed(loads));
   }
 
-  focus(name) { (this.handles[this.names.indexOf(name)] ?? this.area).focus({ preventScroll: true }); }
+  // Of a joint; the sheet where there is none of the name.
+  focus(name) { (this.joints.of(name) ?? this.area).focus({ preventScroll: true }); }
 }
 
 // The way that an arrow goes, in steps; undefined of another key.

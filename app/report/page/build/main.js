@@ -19,7 +19,7 @@ import { stateOfProblem } from "./given.js";
 import { Hand, stepOf } from "./hand.js";
 import { stateText } from "./lacks.js";
 import { Lists } from "./lists.js";
-import { EMPTY, jointOf } from "./model.js";
+import { EMPTY, loadOf } from "./model.js";
 import { Analyst } from "./motion.js";
 import { Results } from "./results.js";
 import { BuildScene } from "./scene.js";
@@ -34,11 +34,11 @@ let analyst = null, answer = {}, analysed = null, refused = "", kept = location.
 
 const opened = readState(), given = givenState();
 const scene = new BuildScene(byId("picture"), say("build.picture"));
-const stage = new Stage(scene, { moved: () => hand.show(desk.state.joints.map(({ name, at }) => ({ name, at: scene.at.get(name) ?? at }))), reached: (drive) => results.move(drive) });
-const desk = new Desk(opened ?? given?.state ?? EMPTY, { spot: (place, reach) => seenSpot(scene, desk.state, place, reach), snap: (place) => snapTo(place, scene.view), hold: () => stage.hold(), show: follow, settle,
+const stage = new Stage(scene, { moved: showHandles, reached: (drive) => results.move(drive) });
+const desk = new Desk(opened ?? given?.state ?? EMPTY, { spot: (place, reach) => seenSpot(scene, desk.state, place, reach, takesTorques()), snap: (place) => snapTo(place, scene.view), hold: () => stage.hold(), show: follow, settle,
   preview: (from, to) => hand.preview(from, to, (spot) => scene.at.get(spot.joint)), pan: ([x, y]) => zoom.pan(x, y), refuse: (why) => { refused = say(`build.refused_${why}`); } });
 const hand = new Hand(byId("picture"), () => scene.view, { press: (...at) => desk.press(...at), move: (...at) => desk.move(...at), lift: (...at) => desk.lift(...at), put: (...at) => desk.click(...at), hover, cancel: () => desk.cancel(), abandon: () => desk.abandon(), pinch,
-  leave, carry: carryByKey, key: answerKey, focus: (name) => { if (desk.chosen?.joint !== name) desk.select({ joint: name }); } });
+  leave, carry: carryByKey, key: answerKey, focus: (part) => { if (!desk.chosen || Object.entries(part).some(([kind, name]) => desk.chosen[kind] !== name)) desk.select(part); } });
 const toolbar = new Toolbar(chooseTool);
 listenToKeys();
 const zoom = new Zoom(byId("stage"), byId("picture"), () => scene, () => stage.draw(), false);
@@ -161,13 +161,27 @@ function carryByKey(event) {
   return true;
 }
 
-// Of a joint: arrows move it, Delete removes it, Enter does what a click of the tool does.
-function answerKey(name, event) {
-  const step = stepOf(event), joint = jointOf(desk.state, name);
-  if (event.key === "Delete" || event.key === "Backspace") { desk.remove({ joint: name }); hand.focus(desk.state.joints[0]?.name); return true; }
-  if (event.key === "Enter" || event.key === " ") { desk.click(joint.at, 0, { joint: name }); return true; }
+// Torques are selected, or turned round.
+const takesTorques = () => ["move", "load"].includes(desk.tool);
+
+// What a click at a part would take.
+function spotOfPart({ joint, load }) {
+  const of = load === undefined ? null : loadOf(desk.state, load);
+  return joint !== undefined ? { joint } : { load, ...(of.force || desk.tool !== "load" ? {} : { link: of.on }) };
+}
+
+function showHandles() {
+  hand.show(desk.state.joints.map(({ name, at }) => ({ name, at: scene.at.get(name) ?? at, label: say("build.joint", { name }) })),
+    scene.grips.map(({ name, on, force, grip }) => ({ name, at: grip, label: say(force ? "build.force" : "build.torque", { name: on }) })));
+}
+
+// Of a joint or a load: arrows move it, Delete removes it, Enter does what a click of the tool does.
+function answerKey(part, event) {
+  const step = stepOf(event);
+  if (event.key === "Delete" || event.key === "Backspace") { desk.remove(part); hand.focus(desk.state.joints[0]?.name); return true; }
+  if (event.key === "Enter" || event.key === " ") { desk.click(null, 0, spotOfPart(part)); return true; }
   if (!step) return false;
-  desk.chosen = { joint: name };
+  desk.chosen = part;
   desk.carry(step.map((x) => x * stepIn(scene.view)));
   return true;
 }

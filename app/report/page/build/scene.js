@@ -4,7 +4,7 @@ import { set, svg } from "../dom.js";
 import { number } from "../format.js";
 import { Picture } from "../picture.js";
 import { RADIANS } from "../sampling.js";
-import { arcPath, arrowPath, groundSign, guideSign, pathWithGaps, round } from "../shapes.js";
+import { arcPath, arrowPath, distanceToArc, groundSign, guideSign, pathWithGaps, round } from "../shapes.js";
 import { boxOf, diagonal, View } from "../view.js";
 import { say } from "../words.js";
 import { spreadOf } from "./chain.js";
@@ -168,7 +168,7 @@ export class BuildScene extends Picture {
       const text = svg("text", { class: "joint-name" }, force ? say("build.newtons", { value: number(Math.hypot(...force), 4) }) : say("build.newton_metres", { value: number(torque, 4) }));
       this.layers.loads.append(svg("g", { class: `arrow load${this.chosen?.load === names[i] ? " chosen" : ""}`, "data-load": names[i] }, ...lines), text);
       const middle = force ? null : spreadOf(this.state, on)?.centre ?? null;
-      return { on, torque, middle, way: force && [force[0], -force[1]].map((x) => (x / FORCE_SCALE) * this.view.scale), lines, text };
+      return { name: names[i], on, force, torque, middle, way: force && [force[0], -force[1]].map((x) => (x / FORCE_SCALE) * this.view.scale), lines, text };
     });
   }
 
@@ -204,15 +204,28 @@ export class BuildScene extends Picture {
     set(name, { x: round(x + away[0]), y: round(y + away[1]) });
   }
 
-  #moveTorque({ torque, middle, lines, text }, move) {
-    const p = move && middle && this.view.screen(after(move, middle));
+  // Each load where it is taken hold of: a force at its tip, a torque in the middle of its arc; those that are seen.
+  get grips() { return this.loads.filter(({ grip }) => grip); }
+
+  // The torque whose arc is within so many pixels of a place, as a spot on its link.
+  torqueAt(place, pixels) {
+    const at = this.view.screen(place), own = this.grips.find(({ force, grip }) => !force && distanceToArc(this.view.screen(grip), at) <= pixels);
+    return own && { load: own.name, link: own.on, at: place };
+  }
+
+  #moveTorque(load, move) {
+    const { torque, middle, lines, text } = load;
+    load.grip = move && middle && after(move, middle);
+    const p = load.grip && this.view.screen(load.grip);
     for (const line of lines) set(line, { d: p ? arcPath(p, torque) : "" });
     text.toggleAttribute("hidden", !p);
     if (p) set(text, { x: round(p[0] + BESIDE_ARC[0]), y: round(p[1] + BESIDE_ARC[1]) });
   }
 
-  #moveLoad({ on, way, lines, text }) {
-    const place = this.at.get(on), p = place && this.view.screen(place), long = Math.hypot(...way) || 1;
+  #moveLoad(load) {
+    const { on, force, way, lines, text } = load, place = this.at.get(on);
+    load.grip = place && place.map((x, k) => x + force[k] / FORCE_SCALE);
+    const p = place && this.view.screen(place), long = Math.hypot(...way) || 1;
     for (const line of lines) set(line, { d: p ? arrowPath(p, way) : "" });
     text.toggleAttribute("hidden", !p);
     if (p) set(text, { x: round(p[0] + way[0] + (BEYOND_TIP[0] * way[0]) / long), y: round(p[1] + way[1] + (BEYOND_TIP[1] * way[1]) / long) });

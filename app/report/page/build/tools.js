@@ -30,7 +30,7 @@ function unslide(state, { joint, slider }) {
 
 function pull(state, from, to) {
   const on = from.joint ?? (from.load === undefined ? undefined : loadOf(state, from.load).on);
-  if (on === undefined || to.at === undefined && to.joint === undefined || isFixed(jointOf(state, on))) return null;
+  if (jointOf(state, on) === undefined || to.at === undefined && to.joint === undefined || isFixed(jointOf(state, on))) return null;
   const p = jointOf(state, on).at, q = placeOfSpot(state, to);
   return setLoad(state, from.load ?? on, p.map((x, k) => Math.round(FORCE_SCALE * (q[k] - x))));
 }

@@ -90,11 +90,12 @@ function errorMarks(view, targets, reached, magnify) {
   });
 }
 
-// The part of the path that is to be straight, and the straight line between its ends.
-function stretchMarks(view, stretch) {
+// The part of the path that is to be straight, and the straight line between the ends given, else between its own.
+function stretchMarks(view, stretch, ends) {
   const points = stretch.filter(Boolean).map((p) => view.screen(p));
   if (points.length < 2) return [];
-  return [svg("path", { class: "straight", d: pathThrough([points[0], points.at(-1)]) }), svg("path", { class: "stretch", d: pathThrough(points) })];
+  const line = ends ? ends.map((end) => view.screen(end)) : [points[0], points.at(-1)];
+  return [svg("path", { class: "straight", d: pathThrough(line) }), svg("path", { class: "stretch", d: pathThrough(points) })];
 }
 
 // The part of a foot's path in which it stands, and the ground below.
@@ -115,7 +116,7 @@ function outlineMark(view, outline) {
 
 // All that stands behind a design, and all that stands before it.
 export function backdropOf(view, design, options) {
-  return [...locusShapes(view, options.loci, options.shownLoci), ...outlineMark(view, design.outline), ...bodyGhosts(view, design.guided), ...stretchMarks(view, design.stretch), ...walkMarks(view, design.walk)];
+  return [...locusShapes(view, options.loci, options.shownLoci), ...outlineMark(view, design.outline), ...bodyGhosts(view, design.guided), ...stretchMarks(view, design.stretch, design.ends), ...walkMarks(view, design.walk)];
 }
 export function targetsOf(view, design, options) {
   const marks = design.poses.length ? poseMarks(view, design.poses, design.fixedPivots) : [];

@@ -30,7 +30,7 @@ export function takeTargets(design, drawn, target) {
   const place = placing(drawn.placement);
   Object.assign(design, { poses, targets: [...poses.map(([x, y]) => [x, y]), ...(target.points ?? []).map(place)],
     outline: (target.curve ?? []).map(place), enlarged: drawn.placement?.scale ?? 1,
-    deviation: drawn.deviation ?? null, reached: drawn.reached ?? [], guided: drawn.guided ?? null });
+    ends: target.ends ?? null, deviation: drawn.deviation ?? null, reached: drawn.reached ?? [], guided: drawn.guided ?? null });
 }
 
 // The largest distance from a target to what is reached of it.

@@ -89,7 +89,7 @@ export function readAddress(classes) {
   const slides = ["slider", "both"].includes(by) && width === 2 && !ranges;
   const straight = by === "line" && width === 2 && rows.length <= 2 && !ranges;
   const region = boxIn(parts.b), held = boxIn(parts.c), isArea = held && held[0].every((x, k) => x < held[1][k]);
-  const state = { ranges, typed: ranges && typedIn(parts.x), slides, both: slides && by === "both", straight, region: ranges || straight ? null : region, obstacle: isArea && !ranges && !slides && !straight && turnsFully({ class: asked }) ? held : null, points: rows.map((row) => row.slice(0, 2)), angles: width === 3 ? rows.map((row) => inTurn(row[2])) : null, closed: line === "closed", stroke: drawn === "stroke", ...(classes.includes(asked) && !slides ? { class: asked } : {}),
+  const state = { ranges, typed: ranges && typedIn(parts.x), slides, both: slides && by === "both", straight, region: ranges ? null : region, obstacle: isArea && !ranges && !slides && !straight && turnsFully({ class: asked }) ? held : null, points: rows.map((row) => row.slice(0, 2)), angles: width === 3 ? rows.map((row) => inTurn(row[2])) : null, closed: line === "closed", stroke: drawn === "stroke", ...(classes.includes(asked) && !slides ? { class: asked } : {}),
     ...(isWithin(least, LEAST) ? { least: Number(least) } : {}), ...(isWithin(reach, REACH) ? { reach: Number(reach) } : {}), ...(straight && isWithin(even, EVEN) ? { even: Number(even) } : {}) };
   const entry = parts.d ? entryOf(state, parts.d, rows) : null;
   return { state, entry: entry && (ranges || isFor(state, entry)) ? entry : null };

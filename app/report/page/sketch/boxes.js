@@ -46,10 +46,10 @@ export class Boxes {
     if (parts) this.on.change(parts); else this.on.resume();
   }
 
-  // Functions and lines have no such limits, slider-cranks only that of the pivots.
+  // Functions have no such limits, slider-cranks and lines only that of the pivots.
   show() {
     const { ranges, slides, straight } = this.on.state();
-    if (ranges || straight || (slides && this.surface.boxes === "obstacle")) this.surface.boxes = null;
+    if (ranges || ((slides || straight) && this.surface.boxes === "obstacle")) this.surface.boxes = null;
     for (const [name, { put, away }] of Object.entries(BOX_WORDS)) {
       byId(name).textContent = say(this.on.state()[name] ? away : put);
       byId(name).setAttribute("aria-pressed", String(this.surface.boxes === name));

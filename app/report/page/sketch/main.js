@@ -277,7 +277,7 @@ function follow(targets) {
   held = null;
   dragged ??= scene.candidates;
   showTargets();
-  if (shown.straight) offer(scene.candidates.map(({ entry }) => modeOf(shown).candidate(entry, shown)), scene.chosen); else solve(true);
+  if (shown.straight && !shown.region) offer(scene.candidates.map(({ entry }) => modeOf(shown).candidate(entry, shown)), scene.chosen); else solve(true);
 }
 
 function drop() {
@@ -332,7 +332,7 @@ function listenToKeys() {
   shortcut(["c"], "c", "sketch.close", toggleClosed);
   shortcut(["x"], "x", "sketch.clear_all", clear);
   shortcut(["r"], "r", "sketch.region", () => boxes.toggle("region"));
-  shortcut(["o"], "o", "sketch.obstacle", () => { if (!shown.slides) boxes.toggle("obstacle"); });
+  shortcut(["o"], "o", "sketch.obstacle", () => { if (!shown.slides && !shown.straight) boxes.toggle("obstacle"); });
   shortcut(["p"], "p", "sketch.another_kind", () => drawAnother(modeOf(shown).next()));
   shortcut(["m"], "m", "sketch.other_mechanism", () => mechanisms.next());
   shortcut(["1", "2", "3"], "1 2 3", "sketch.choose", (event) => choose(Number(event.key) - 1));

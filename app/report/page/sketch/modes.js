@@ -66,7 +66,7 @@ const FUNCTION = {
 
 const RULED = {
   ...CURVE, name: "line", fewest: 2, hint: "sketch.hint_of_line", more: "sketch.more_ends", title: "sketch.title_of_line", times: "sketch.times_line", next: () => CURVE, canSlide: false,
-  empty: () => ({ ...NOTHING, straight: true, region: null, obstacle: null }),
+  empty: () => ({ ...NOTHING, straight: true, obstacle: null }),
   label: (_, i) => say("sketch.end", { name: i + 1 }),
   stroke(_, line) {
     const points = [line[0], line.at(-1)].map(rounded);

@@ -31,7 +31,6 @@ const foundFor = ({ straight }) => (straight ? 4 : 8);
 export const drawingSize = ({ points, angles, ranges }) => (ranges ? Math.abs(ranges[1]) : Math.max(angles ? LEAST_SIZE : 0, diagonal(boxOf(points))));
 
 export const short = (x) => Number(x.toPrecision(4));
-const precise = (x) => Number(x.toPrecision(9));
 
 // A state for each kind of mechanism that is searched for: where `both` are, one for four-bars and one for slider-cranks.
 export const kindsOf = (state) => (state.both ? [false, true].map((slides) => ({ ...state, slides, both: false })) : [state]);
@@ -57,11 +56,14 @@ const commonLimits = ({ class: asked, least }) => ({ ...(asked === "any" ? {} : 
 // Of chains: one box for all pivots.
 const limitsOfChain = ({ least }, length, pivots) => ({ bounds: { length, pivots }, constraints: commonLimits({ class: "any", least }) });
 
+const limitsOfLine = (state) => ({ constraints: { ...commonLimits(state), size_over_length_max: state.reach, link_ratio_max: RATIO_OF_LINE,
+  ...(state.even < ANY_SPEED ? { speed_variation_max: state.even / 100 } : {}), ...(state.region ? { pivot_region: state.region } : {}) } });
+
 // Links of a generator are as long as one likes: the limit is on the longest by the shortest.
 function limitsOf(state) {
   const { ranges, reach, obstacle } = state;
   if (ranges) return { constraints: { ...commonLimits(state), link_ratio_max: reach } };
-  if (state.straight) return { constraints: { ...commonLimits(state), size_over_length_max: reach, link_ratio_max: RATIO_OF_LINE, ...(state.even < ANY_SPEED ? { speed_variation_max: state.even / 100 } : {}) } };
+  if (state.straight) return limitsOfLine(state);
   const size = drawingSize(state), within = pivotsWithin(state, size), length = [short(SHORTEST * size), short(reach * size)];
   if (state.slides) return limitsOfChain(state, length, within);
   return { bounds: { length, pivot_a: within, pivot_d: within },
@@ -80,7 +82,7 @@ function weightOf(points) {
 const guiding = (points, angles) => ({ kind: "motion-generation",
   target: { ...(points.length > 2 ? { method: "least-squares", ...weightOf(points) } : {}), poses: points.map((p, i) => [...p, angles[i]]) }, mechanism: { dyads: ["RR"] } });
 
-const ruling = ([p, q]) => ({ kind: "straight-line", target: { length: precise(Math.hypot(q[0] - p[0], q[1] - p[1])), direction_deg: precise(Math.atan2(q[1] - p[1], q[0] - p[0]) * 180 / Math.PI) } });
+const ruling = (ends) => ({ kind: "straight-line", target: { ends } });
 
 const bySlider = (points, closed) => ({ kind: "path-generation", target: { points, timing: "free", closed }, mechanism: { type: "slider-crank" } });
 
