@@ -278,7 +278,7 @@ class CommandLine(unittest.TestCase):
             listed = common | links | {"mechanism.type", "mechanism.pivot_d"}
             beside = {"chain": " (chains)", "chain-function": " (chains)", "dwell": " (dwells)"}
             name = read["kind"] + beside.get(file.parent.name, "")
-            if name == "motion-generation" and "type" in read["mechanism"]:
+            if name == "motion-generation" and "type" in read.get("mechanism", {}):
                 name += " (chains)"
             keys = {key["name"]: key["meaning"] for key in problems[name]["keys"]}
             listed |= set(keys)

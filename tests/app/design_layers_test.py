@@ -16,7 +16,7 @@ import tempfile
 import unittest
 
 from sampled_layers import SampledLayers
-from thinned import some
+from thinned import some, whole_only
 
 try:
     import jsonschema
@@ -215,6 +215,7 @@ class DesignLayers(unittest.TestCase):
         first = next(c for c in document["designs"][0]["layers"]["conflicts"] if c["why"] == "collision")
         self.assertGreaterEqual(first["first_at_deg"], 0)
 
+    @whole_only
     def test_where_none_can_be_stacked(self):
         document = self.limited(8.5, 4, "layers_max = 14", status=1)
         self.check_by_samples(document)

@@ -3,7 +3,8 @@ import assert from "node:assert/strict";
 import { readFileSync, readdirSync, statSync } from "node:fs";
 import path from "node:path";
 import { after, before } from "node:test";
-import { assertFits, assertInked, distance, goesToAndFro, hasCurves, inTurn as test, launch, LOOKS, moves, some, visit as visitReport, withoutPlots } from "./browser.mjs";
+import { assertFits, assertInked, distance, goesToAndFro, hasCurves, launch, LOOKS, moves, visit as visitReport, withoutPlots } from "./browser.mjs";
+import { inTurn as test, some } from "./thinned.mjs";
 
 const NAMES = ["four-bar", "four-bar-gaps", "slider-crank", "guide-bar", "guide-bar-offset", "oscillating-block", "scotch-yoke",
   "elliptic-trammel", "tangent-generator", "oldham-coupling", "driven-by-slider", "shaper", "hundred-links"];

@@ -1,6 +1,5 @@
 // The system's Chromium, and pages opened from disk in it.
 import { createRequire } from "node:module";
-import { test } from "node:test";
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 import path from "node:path";
@@ -13,17 +12,6 @@ export const SIZES = { desktop: { width: 1440, height: 1000 }, phone: { width: 3
 
 // Of the sizes a desktop and a phone show every layout. Layout does not depend on colours: two of the four pairs show all of either.
 export const LOOKS = [{ size: "desktop", scheme: "light" }, { size: "phone", scheme: "dark" }];
-
-// Of many pages of one sort every third, which an ordinary run opens; with WHOLE in the environment all.
-export const some = (list) => process.env.WHOLE ? list : list.filter((_, i) => i % 3 === 0);
-
-// Of the tests of a file with many every second, likewise.
-let tests = 0;
-const oneOf = (share) => (name, ...rest) => tests++ % share === 0 || process.env.WHOLE ? test(name, ...rest) : test.skip(name);
-export const inTurn = oneOf(2);
-
-// Where each takes long, every fourth.
-export const seldom = oneOf(4);
 
 export function launch() {
   return chromium.launch({

@@ -1,7 +1,8 @@
 // The page of a cam as a reader meets it: in Chromium, from disk, at desktop and phone width.
 import assert from "node:assert/strict";
 import { after, before } from "node:test";
-import { assertFits, assertInked, inTurn as test, launch, LOOKS, some, visit as visitReport } from "./browser.mjs";
+import { assertFits, assertInked, launch, LOOKS, visit as visitReport } from "./browser.mjs";
+import { inTurn as test, some } from "./thinned.mjs";
 
 const ROLLERS = ["translating-roller", "oscillating-roller", "groove", "conjugate"];
 const NAMES = [...ROLLERS, "translating-flat", "translating-knife", "oscillating-flat", "oscillating-knife", "constant-breadth"];

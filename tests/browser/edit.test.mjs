@@ -6,7 +6,8 @@ import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { after, before } from "node:test";
-import { inTurn as test, launch, some, visit as visitReport } from "./browser.mjs";
+import { launch, visit as visitReport } from "./browser.mjs";
+import { inTurn as test, some } from "./thinned.mjs";
 import { drag, edit, field, type } from "./edits.mjs";
 
 let browser;

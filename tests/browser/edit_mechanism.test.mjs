@@ -6,7 +6,8 @@ import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { assertFits, launch, open, some } from "./browser.mjs";
+import { assertFits, launch, open } from "./browser.mjs";
+import { some } from "./thinned.mjs";
 import { drag, edit, field, type } from "./edits.mjs";
 import { reported, sameTold, textsOf } from "./told.mjs";
 

@@ -5,7 +5,8 @@ import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { launch, open, some } from "./browser.mjs";
+import { launch, open } from "./browser.mjs";
+import { some } from "./thinned.mjs";
 import { reported as reportedIn, sameTold, textsOf } from "./told.mjs";
 
 const LIBRARY = new URL("../../problems/library/", import.meta.url).pathname;

@@ -3,7 +3,8 @@ import assert from "node:assert/strict";
 import { statSync } from "node:fs";
 import path from "node:path";
 import { after, before } from "node:test";
-import { assertFits, assertInked, inTurn as test, launch, LOOKS, some, visit as visitReport, withoutPlots } from "./browser.mjs";
+import { assertFits, assertInked, launch, LOOKS, visit as visitReport, withoutPlots } from "./browser.mjs";
+import { inTurn as test, some } from "./thinned.mjs";
 
 const PAIRS = ["pair", "lost", "overlap", "helical", "bevel", "search"];
 const NAMES = [...PAIRS, "gear", "undercut", "worm"];

@@ -4,7 +4,8 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync, statSync } from "node:fs";
 import path from "node:path";
 import { after, before } from "node:test";
-import { distance, inTurn as test, launch, some, visit as visitReport, withoutPlots } from "./browser.mjs";
+import { distance, launch, visit as visitReport, withoutPlots } from "./browser.mjs";
+import { inTurn as test, some } from "./thinned.mjs";
 
 let browser;
 before(async () => { browser = await launch(); });

@@ -6,7 +6,8 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { launch, open, some, visit as visitReport } from "./browser.mjs";
+import { launch, open, visit as visitReport } from "./browser.mjs";
+import { some } from "./thinned.mjs";
 
 const LIBRARY = new URL("../../problems/library/", import.meta.url).pathname;
 let browser, folder;
@@ -97,6 +98,23 @@ test("a design with a three-pin link is shown by the distances of its pins, and 
   const f = [plate[0] + Math.cos(angle) * pins[2][0] - Math.sin(angle) * pins[2][1], plate[1] + Math.sin(angle) * pins[2][0] + Math.cos(angle) * pins[2][1]];
   assert.ok(Math.abs(shown["Link G–F"] - Math.hypot(f[0] - g[0], f[1] - g[1])) < 1e-5);
   assert.ok(await page.locator(".edit-toggle").isHidden());
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("a front of dwells is drawn by their half bands", async () => {
+  const file = path.join(folder, "dwells.toml"), text = readFileSync(path.join(LIBRARY, "dwell", "six-bar-dwell.toml"), "utf8");
+  writeFileSync(file, `${text.split("\n[solve]")[0]}\n[solve]\nobjectives = ["error", "transmission_angle"]\nstarts = 64\ndesigns = 3\n`);
+  execFileSync(process.env.COGNATE, ["solve", "--quiet", "--out", folder, file]);
+  const { page, faults, close } = await open(browser, path.join(folder, "dwells.report.html"), { motion: "reduce" });
+  const designs = await page.evaluate(() => JSON.parse(document.getElementById("data").textContent).result.designs);
+  const labels = await page.locator("#front-plot .front-point").evaluateAll((marks) => marks.map((mark) => mark.getAttribute("aria-label")));
+  assert.equal(labels.length, designs.length);
+  assert.ok(designs.length > 1);
+  for (const [i, { metrics }] of designs.entries()) {
+    const shown = labels[i].match(/[0-9.]+(?:e-[0-9]+)?/g).map(Number);
+    assert.ok(shown.some((value) => Math.abs(value / metrics.half_band_deg - 1) < 1e-3), `${labels[i]} without ${metrics.half_band_deg}`);
+  }
   assert.deepEqual(faults, []);
   await close();
 });

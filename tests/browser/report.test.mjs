@@ -1,7 +1,8 @@
 // The report page as a reader meets it: in Chromium, from disk, at desktop and phone width.
 import assert from "node:assert/strict";
 import { after, before } from "node:test";
-import { assertFits, assertInked, distance, goesToAndFro, hasCurves, inTurn as test, launch, LOOKS, moves, some, visit as visitReport, withoutPlots } from "./browser.mjs";
+import { assertFits, assertInked, distance, goesToAndFro, hasCurves, launch, LOOKS, moves, visit as visitReport, withoutPlots } from "./browser.mjs";
+import { inTurn as test, some } from "./thinned.mjs";
 
 let browser;
 before(async () => { browser = await launch(); });

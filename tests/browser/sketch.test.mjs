@@ -1,7 +1,8 @@
 // The page of `cognate sketch`: a curve is drawn, and linkages trace it.
 import assert from "node:assert/strict";
 import fs from "node:fs";
-import { assertFits, distance, inTurn as test, moves, open, some } from "./browser.mjs";
+import { assertFits, distance, moves, open } from "./browser.mjs";
+import { inTurn as test, some } from "./thinned.mjs";
 import { clearanceOf, couplerPose } from "./closures.mjs";
 import { addressOf, answered, browser, draw, facts, file, hasKernel, hold, holding, offered, settled, targets, visit } from "./sketching.mjs";
 

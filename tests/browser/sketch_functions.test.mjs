@@ -1,7 +1,8 @@
 // The page of `cognate sketch`: a function is drawn, typed and dragged, and linkages generate it.
 import assert from "node:assert/strict";
 import { test as always } from "node:test";
-import { assertFits, inTurn as test, LOOKS } from "./browser.mjs";
+import { assertFits, LOOKS } from "./browser.mjs";
+import { inTurn as test } from "./thinned.mjs";
 import { rockerAngle } from "./closures.mjs";
 import { answered, draw, facts, offered, settled, targets, visit } from "./sketching.mjs";
 

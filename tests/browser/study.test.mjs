@@ -5,7 +5,8 @@ import path from "node:path";
 import { after, before } from "node:test";
 import { Closure } from "../../app/report/page/study/closure.js";
 import { RowLinkage } from "../../app/report/page/study/linkage.js";
-import { assertFits, inTurn as test, launch, LOOKS, some, visit as visitReport } from "./browser.mjs";
+import { assertFits, launch, LOOKS, visit as visitReport } from "./browser.mjs";
+import { inTurn as test, some } from "./thinned.mjs";
 
 const hasPlots = process.env.HAS_CURVES !== "0";
 const plotted = { skip: !hasPlots && "made without d3" };

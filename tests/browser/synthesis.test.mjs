@@ -5,7 +5,8 @@ import os from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { reported } from "./told.mjs";
-import { LOOKS, assertFits, assertInked, distance, hasCurves, launch, open, some, visit as visitReport, withoutPlots } from "./browser.mjs";
+import { LOOKS, assertFits, assertInked, distance, hasCurves, launch, open, visit as visitReport, withoutPlots } from "./browser.mjs";
+import { some } from "./thinned.mjs";
 
 const still = { motion: "reduce" };
 let browser;

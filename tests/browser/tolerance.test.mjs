@@ -5,7 +5,8 @@ import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { after, before } from "node:test";
-import { assertFits, assertInked, hasCurves, inTurn as test, launch, LOOKS, open, some, visit, withoutPlots } from "./browser.mjs";
+import { assertFits, assertInked, hasCurves, launch, LOOKS, open, visit, withoutPlots } from "./browser.mjs";
+import { inTurn as test, some } from "./thinned.mjs";
 
 const still = { motion: "reduce" };
 const NAMES = ["library-toleranced-rocker", "toleranced-ellipse", "toleranced-roller", "toleranced-slider-crank", "toleranced-square"];

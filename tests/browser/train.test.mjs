@@ -1,7 +1,8 @@
 // The pages of gear trains as a reader meets them: in Chromium, from disk, at desktop and phone width.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { assertFits, launch, LOOKS, some, visit as visitReport } from "./browser.mjs";
+import { assertFits, launch, LOOKS, visit as visitReport } from "./browser.mjs";
+import { some } from "./thinned.mjs";
 
 const NAMES = ["planetary", "simpson", "ferguson", "differential", "clock", "coaxial"];
 const still = { motion: "reduce" };

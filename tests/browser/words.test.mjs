@@ -2,7 +2,8 @@
 // such, keys of files, and what the user has named.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { assertFits, launch, some, visit as visitReport } from "./browser.mjs";
+import { assertFits, launch, visit as visitReport } from "./browser.mjs";
+import { some } from "./thinned.mjs";
 
 let browser;
 before(async () => { browser = await launch(); });

@@ -1,7 +1,8 @@
 // Layers and the bill of material in their pages: the figures of the program's result, of the design that is chosen.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { assertFits, launch, LOOKS, some, visit } from "./browser.mjs";
+import { assertFits, launch, LOOKS, visit } from "./browser.mjs";
+import { some } from "./thinned.mjs";
 
 const still = { motion: "reduce" };
 const NAMES = ["library-klann-leg", "ellipse-in-two-layers"];
