@@ -9,6 +9,7 @@ import json
 import math
 import pathlib
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -42,6 +43,17 @@ def run(text, *arguments, command="solve"):
         path.write_text(text, encoding="utf-8")
         return subprocess.run([PROGRAM, "--quiet", "--json", *arguments, command, path],
                               capture_output=True, text=True, check=False)
+
+
+def report_of(text):
+    """What the report page of a file shows, and its result."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "problem.toml"
+        path.write_text(text, encoding="utf-8")
+        subprocess.run([PROGRAM, "--quiet", "solve", path], cwd=folder, check=False)
+        page = path.with_suffix(".report.html").read_text(encoding="utf-8")
+        shown = re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)
+        return json.loads(shown[1]), json.loads(path.with_suffix(".result.json").read_text())
 
 
 def designs(text, *arguments):
@@ -137,6 +149,52 @@ class Found(unittest.TestCase):
             self.assertLess(best["error"]["rms"], own)
             self.check(best, moved, "EF")
 
+    def test_errors_are_those_of_the_poses_at_any_scale(self):
+        rng = random.Random(3)
+        small = noisy(carried(stephenson(), "EF", 0.7, chain_test.turn(12)), 1e-3, rng)
+        for scale, away in ((1e13, 0), (1e-9, 0), (1e7, 1e9)):
+            poses = [(scale * at + away, angle) for at, angle in small]
+            for design in designs(problem(poses, "stephenson-3", "[solve]\nstarts = 128\n")):
+                self.check(design, poses, "EF")
+
+    def test_longest_chain(self):
+        """24 points, and the heading of the body beside them."""
+        parts, last = FOUR_BAR.split("[[point]]")[0], ("B", "C")
+        for i in range(6):
+            parts += (f'[[point]]\nname = "E{i}"\non = ["{last[0]}", "{last[1]}"]\n'
+                      f'[[pivot]]\nname = "G{i}"\n[[dyad]]\nnew = "F{i}"\n')
+            parts += (f'joins = ["E{i}", "G{i}"]\n' if i else
+                      f'type = "RRP"\njoins = "E{i}"\nslide = {{through = "G{i}"}}\n')
+            last = f"E{i}", f"F{i}"
+        parts += f'[[point]]\nname = "P"\non = ["{last[0]}", "{last[1]}"]\n'
+        poses = carried(stephenson(), "EF", 0.7, chain_test.turn(12))
+        text = problem(poses, "chain", parts + "[solve]\nstarts = 64\n")
+        for design in designs(text):
+            self.check(design, poses, last)
+        more = text.replace("[solve]", '[[point]]\nname = "Q"\non = ["A", "B"]\n[solve]')
+        self.assertIn("at most 24", run(more, command="check").stderr)
+
+    def test_report_shows_the_body_at_its_origin(self):
+        """Whatever its name is, and that of another point of its link."""
+        poses = carried(stephenson(), "EF", 0.7, chain_test.turn(12))
+        text = problem(poses, "chain", FOUR_BAR + """
+[[point]]
+name = "Q"
+on = ["P", "C"]
+[solve]
+starts = 64
+""", target='closed = true\npoint = "Q"')
+        shown, result = report_of(text)
+        for drawn, design in zip(shown["designs"], result["designs"], strict=True):
+            places = chain_test.Chain(design["mechanism"]).places(1)
+            axis = (places["C"] - places["B"]) / abs(places["C"] - places["B"])
+            u, v, angle = drawn["guided"]["axes"]
+            self.assertLess(abs(complex(u, v) - (places["Q"] - places["B"]) / axis), 1e-9)
+            self.assertEqual(angle, design["metrics"]["body_angle_in_link_deg"])
+            reached = [complex(*at) for at in drawn["reached"]]
+            error = rms([abs(at - pose) for at, (pose, _) in zip(reached, poses, strict=True)])
+            self.assertAlmostEqual(error, design["metrics"]["position_error_rms"], delta=1e-9)
+
     def test_timed_motion_has_its_times(self):
         angles = chain_test.turn(24)
         poses = carried(watt(), "EF", 3.0, angles)
@@ -230,6 +288,19 @@ class Written(unittest.TestCase):
         self.assertTrue(checked["problem"]["target"]["closed"])
         self.assertEqual(len(checked["problem"]["target"]["poses"]), 12)
 
+    def test_pose_a_whole_turn_on_is_the_first_again(self):
+        (at, _), *others = self.POSES
+        rng = random.Random(1)
+        for _ in range(12):
+            angle = round(rng.uniform(-180, 180), 1)
+            first, again = ((at, math.radians(angle + more)) for more in (0, rng.choice((-360, 720))))
+            text = problem([first, *others, again], "six-bar", target="")
+            checked = json.loads(run(text, command="check").stdout)
+            self.assertTrue(checked["problem"]["target"]["closed"])
+            self.assertEqual(len(checked["problem"]["target"]["poses"]), 12)
+            text = problem([first, again, *others], "six-bar")
+            self.assertIn("pose 2 of target.poses repeats pose 1", self.faults(text))
+
     def test_faults_are_named(self):
         one = self.POSES[0]
         turned = [(one[0], one[1] + 0.1 * i) for i in range(4)]
@@ -239,6 +310,10 @@ class Written(unittest.TestCase):
                 (problem(turned, "six-bar"), "at one place"),
                 (problem(self.POSES, "sixbar"), '"six-bar"'),
                 (problem(self.POSES, "four-bar"), "mechanism.type"),
+                (problem(self.POSES, 5).replace('"5"', "5"), "mechanism.type is an integer"),
+                (problem(self.POSES, "six-bar", FOUR_BAR).replace('type = "six-bar"', ""),
+                 "mechanism.type is missing"),
+                (problem([one, *self.POSES[4:5], one], "six-bar"), "two different poses"),
                 (problem(self.POSES, "chain", FOUR_BAR.split("[[point]]")[0]), "joint of two links"),
                 (problem(self.POSES, "six-bar", target='method = "exact"'), "least squares"),
                 (problem(self.POSES, "six-bar", target="crank_deg = [0, 30]"), "12 poses"),
