@@ -87,6 +87,14 @@ def watt():
                               (1.5, -3), h=(0, 0.5))
 
 
+def four_bar():
+    return chain_test.Chain({
+        "pivot": [{"name": "A", "at": (0, 0)}, {"name": "D", "at": (3.5, 0.4)}],
+        "crank": {"at": "A", "pin": "B", "length": 1},
+        "dyad": [{"joins": ["B", "D"], "lengths": (3, 2.6), "assembly": "open", "new": "C"}],
+        "point": [{"name": "P", "on": ["B", "C"], "at": (1.2, 2)}]})
+
+
 def size_of(poses):
     return three_pin_paths.size_of([at for at, _ in poses])
 
@@ -104,6 +112,15 @@ def misses(design, poses, link):
     reached = carried(chain, link, own, [math.radians(a) for a in design["crank_deg"]])
     return [(abs(here - at), abs(math.remainder(turned - angle, 2 * math.pi)))
             for (here, turned), (at, angle) in zip(reached, poses)]
+
+
+def slopes(design, poses, link, weight):
+    """Of each pose's squared error by its own crank angle: none where the body is nearest."""
+    def squares(step):
+        moved = dict(design, crank_deg=[a + math.degrees(step) for a in design["crank_deg"]])
+        return [place**2 + (weight * angle)**2 for place, angle in misses(moved, poses, link)]
+    step = 1e-5
+    return [(above - below) / (2 * step) for above, below in zip(squares(step), squares(-step))]
 
 
 def rms(values):
@@ -209,12 +226,7 @@ starts = 64
 
     def test_four_bars_are_those_of_the_kind_without_chains(self):
         rng = random.Random(11)
-        chain = chain_test.Chain({
-            "pivot": [{"name": "A", "at": (0, 0)}, {"name": "D", "at": (3.5, 0.4)}],
-            "crank": {"at": "A", "pin": "B", "length": 1},
-            "dyad": [{"joins": ["B", "D"], "lengths": (3, 2.6), "assembly": "open", "new": "C"}],
-            "point": [{"name": "P", "on": ["B", "C"], "at": (1.2, 2)}]})
-        poses = noisy(carried(chain, "BC", 0.3, chain_test.turn(24)[:20]), 0.02, rng)
+        poses = noisy(carried(four_bar(), "BC", 0.3, chain_test.turn(24)[:20]), 0.02, rng)
         for weight in (None, 0.4):
             given = f"angle_weight = {weight}\n" if weight else ""
             best = designs(problem(poses, "chain", FOUR_BAR, target=given))[0]
@@ -223,6 +235,16 @@ starts = 64
                             '[mechanism]\ndyads = ["RR"]\n'
                             '[constraints]\nclass = "crank-rocker"\n')[0]
             self.assertAlmostEqual(best["error"]["rms"] / other["error"]["rms"], 1, delta=1e-6)
+
+    def test_each_design_is_nearest_to_each_pose(self):
+        """Also those that are not the best, and from few starts."""
+        poses = noisy(carried(stephenson(), "EF", 0.3, chain_test.turn(20)), 0.003,
+                      random.Random(8))
+        text = problem(poses, "stephenson-3", "[solve]\nstarts = 256\ndesigns = 6\n",
+                       target="closed = true\nangle_weight = 1")
+        for design in designs(text):
+            steep = max(map(abs, slopes(design, poses, "EF", 1)))
+            self.assertLess(steep, 1e-5 * design["error"]["rms"])
 
     def test_link_with_three_pins(self):
         path = three_pin_paths.planted(2, random.Random(4), 35, body=0.4)
