@@ -82,16 +82,19 @@ ordered_json outline_json(const Design& design, const GuidedBody& guided) {
   return list;
 }
 
+std::optional<Attached<double>> point_called(const Design& design, std::string_view name) {
+  const auto& points = design.mechanism.points;
+  const auto found = std::ranges::find(points, name, &problems::NamedPoint::name);
+  return found == points.end() ? std::nullopt : std::optional(found->at);
+}
+
 /// The axes that the poses are of, in those of the body that is guided: as the design has them,
 /// else as they were found from where the body stands.
-Pose body_axes(const Design& design, const GuidedBody& guided) {
-  const auto& points = design.mechanism.points;
-  const auto origin = std::ranges::find(points, "P", &problems::NamedPoint::name);
+Pose body_axes(const Design& design, const GuidedBody& guided, std::string_view origin_name) {
+  const auto origin = point_called(design, origin_name.empty() ? "P" : origin_name);
   const auto angle = find_quantity(design.metrics.quantities, problems::kBodyAngleKey);
-  if (origin == points.end() || origin->at.body != guided.body || !angle) {
-    return guided.target_in_body;
-  }
-  return {origin->at.at, *angle};
+  if (!origin || origin->body != guided.body || !angle) return guided.target_in_body;
+  return {origin->at, *angle};
 }
 
 }  // namespace
@@ -109,26 +112,28 @@ ordered_json motion_of(const Design& design, const Fineness& fineness) {
 }
 
 ordered_json reached_points(const Design& design, std::string_view traced_name) {
-  const auto& points = design.mechanism.points;
-  const auto traced = std::ranges::find(points, traced_name, &problems::NamedPoint::name);
+  const auto traced = point_called(design, traced_name);
   MechanismMotion<0> motion(design.mechanism.mechanism);
   ordered_json list = ordered_json::array();
   for (const double at : design.crank_angles) {
-    if (traced == points.end() || !motion.move_to(at)) {
+    if (!traced || !motion.move_to(at)) {
       list.push_back(nullptr);
       continue;
     }
-    const auto& body = motion.bodies()[static_cast<std::size_t>(traced->at.body)];
-    const Vec2d point = point_motion(body, traced->at.at)[0];
+    const auto& body = motion.bodies()[static_cast<std::size_t>(traced->body)];
+    const Vec2d point = point_motion(body, traced->at)[0];
     list.push_back(ordered_json::array({point.x, point.y}));
   }
   return {{"reached", list}};
 }
 
-ordered_json reached_poses(const Design& design, std::span<const Pose> targets) {
-  auto guided = guided_body(design.mechanism, design.crank_angles, targets);
+ordered_json reached_poses(const Design& design, std::span<const Pose> targets,
+                           std::string_view origin_name) {
+  const auto origin = point_called(design, origin_name);
+  auto guided = guided_body(design.mechanism, design.crank_angles, targets,
+                            origin ? std::optional(origin->body) : std::nullopt);
   if (!guided) return {{"reached", ordered_json::array()}, {"guided", nullptr}};
-  guided->target_in_body = body_axes(design, *guided);
+  guided->target_in_body = body_axes(design, *guided, origin_name);
   ordered_json origins = ordered_json::array(), reached = origins;
   for (const auto& pose : guided->reached) {
     reached.push_back(pose ? pose_json(*pose) : ordered_json(nullptr));

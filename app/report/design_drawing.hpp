@@ -31,8 +31,10 @@ nlohmann::ordered_json reached_points(const problems::Design& design,
 /// For targets that are poses: `reached`, where the body's origin is taken, and `guided`: `body`
 /// (its number), `axes` ([x, y, deg] of the target's axes in those of the body), `outline` (its
 /// corners in its own axes) and `reached`, its places [x, y, deg], null where the mechanism cannot
-/// be assembled.
+/// be assembled. `origin`: the name of the body's origin where the body that carries it is guided;
+/// empty where that is told from the poses.
 nlohmann::ordered_json reached_poses(const problems::Design& design,
-                                     std::span<const synthesis::Pose> targets);
+                                     std::span<const synthesis::Pose> targets,
+                                     std::string_view origin = {});
 
 }  // namespace cognate::app

@@ -62,13 +62,14 @@ double misfit(const Places& places, std::span<const Pose> targets, const Pose& i
 
 std::optional<GuidedBody> guided_body(const problems::NamedMechanism& mechanism,
                                       std::span<const double> stations,
-                                      std::span<const Pose> targets) {
+                                      std::span<const Pose> targets, std::optional<int> known) {
   if (stations.size() != targets.size() || targets.empty()) return std::nullopt;
   const auto all = places_of_bodies(mechanism.mechanism, stations);
   const double arm = std::max(synthesis::extent(targets), std::numeric_limits<double>::min());
   std::optional<GuidedBody> best;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t body = 1; body < all.size(); ++body) {
+    if (known.value_or(static_cast<int>(body)) != static_cast<int>(body)) continue;
     if (std::ranges::none_of(all[body], [](const auto& place) { return place.has_value(); })) {
       continue;
     }

@@ -20,10 +20,11 @@ struct GuidedBody {
 
 /// The moving body whose places at the drive coordinates `stations`, one for each of `targets`,
 /// follow the targets best: the body's own axes may lie anywhere in it, and are those that make the
-/// mean difference vanish. Empty where no body has a place at any station, or the numbers of
-/// stations and targets differ.
+/// mean difference vanish. Where it is known which one is guided, `known` alone. Empty where no
+/// body has a place at any station, or the numbers of stations and targets differ.
 std::optional<GuidedBody> guided_body(const problems::NamedMechanism& mechanism,
                                       std::span<const double> stations,
-                                      std::span<const synthesis::Pose> targets);
+                                      std::span<const synthesis::Pose> targets,
+                                      std::optional<int> known = {});
 
 }  // namespace cognate::app

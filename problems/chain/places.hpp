@@ -28,6 +28,10 @@ class ChainPlaces {
   /// The first body that carries the point, and where in its axes.
   std::pair<int, Vec2d> place(int line) const;
 
+  /// Origin and unit vector of the axes from `first` towards `second` in those of the body that
+  /// carries both.
+  std::pair<Vec2d, Vec2d> axes(int first, int second) const;
+
   /// Where `at`, in the axes from `first` towards `second` of the body that carries both, lies in
   /// the body's own axes.
   Vec2d in_body(int first, int second, const Vec2d& at) const;
@@ -39,9 +43,6 @@ class ChainPlaces {
   std::optional<Vec2d> find(int body, int line) const;
 
  private:
-  /// Origin and unit vector of the axes from `first` towards `second`.
-  std::pair<Vec2d, Vec2d> axes(int first, int second) const;
-
   struct ThreePins;
   void add_three_pins(const ThreePins& link);
 

@@ -16,7 +16,8 @@ namespace {
 using synthesis::ChainLine;
 using synthesis::LineType;
 
-constexpr std::size_t kMostDyads = 10, kMostLines = 24;
+constexpr std::size_t kMostDyads = 10, kMostPoints = 24;
+static_assert(kMostPoints < synthesis::kMostLines);  // a motion adds its heading
 
 /// A dyad, a three-pin link or a point on its way into the chain.
 struct Part {
@@ -72,10 +73,10 @@ class StructureReader {
     // The guide of a slider counts as a point, a three-pin link as six.
     points += static_cast<std::size_t>(std::ranges::count_if(parts_.dyads, is_slider));
     points += 5 * static_cast<std::size_t>(std::ranges::count_if(parts_.dyads, is_three_pin_link));
-    if (points <= kMostLines) return;
+    if (points <= kMostPoints) return;
     mechanism_.faults().add(
         mechanism_.where(),
-        fmt::format("the chain has {} points; at most {} are designed", points, kMostLines));
+        fmt::format("the chain has {} points; at most {} are designed", points, kMostPoints));
   }
 
   int find(const std::string& name) const {

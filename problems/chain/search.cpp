@@ -314,6 +314,34 @@ synthesis::StartRule rule_of(const Solve& options) {
   return rule;
 }
 
+/// Adds what `before` cost.
+RefinedChain with_work_of(const RefinedChain& before, RefinedChain refined) {
+  refined.evaluations += before.evaluations;
+  refined.gradients += before.gradients;
+  refined.iterations += before.iterations;
+  return refined;
+}
+
+/// A refinement moves each crank angle half of the way to its neighbours at most. Of a motion,
+/// whose fits may be left early, it is repeated while the error falls.
+RefinedChain refined_to_end(const ChainMinimum& from, synthesis::Solver solver,
+                            const synthesis::Options& options, const Deadline& deadline) {
+  constexpr int kMost = 30;
+  constexpr double kFalls = 1 - 1e-6, kHeld = 1e-10;  // shares of the error; violation of rounding
+  const ScaledChain& problem = *from.problem;
+  RefinedChain best = refine(problem, from.design, from.angles, solver, options);
+  if (!problem.is_motion() || problem.timed() || !std::isfinite(best.objective)) return best;
+  for (int i = 0; i < kMost && best.objective > kMetCost && !deadline.reached(); ++i) {
+    RefinedChain next =
+        with_work_of(best, refine(problem, best.design, best.angles, solver, options));
+    const bool falls = next.objective < kFalls * best.objective;
+    const bool is_held = next.violation <= std::max(best.violation, kHeld);
+    if (next.objective <= best.objective && is_held) best = std::move(next);
+    if (!falls || !is_held) break;
+  }
+  return best;
+}
+
 void refine_all(std::vector<ChainMinimum>& designs, const Solve& options, const Run& run,
                 const Deadline& deadline, Work& work) {
   std::vector<RefinedChain> refined(designs.size());
@@ -323,9 +351,7 @@ void refine_all(std::vector<ChainMinimum>& designs, const Solve& options, const 
   parallel_for(static_cast<int>(designs.size()), run.threads, [&](int index, int) {
     const auto i = static_cast<std::size_t>(index);
     if (deadline.reached()) return;
-    const ChainMinimum& from = designs[i];
-    refined[i] =
-        refine(*from.problem, from.design, from.angles, synthesis::chosen(options.solver), own);
+    refined[i] = refined_to_end(designs[i], synthesis::chosen(options.solver), own, deadline);
   });
   for (std::size_t i = 0; i < designs.size(); ++i) {
     const RefinedChain& to = refined[i];

@@ -22,6 +22,7 @@ namespace reading {
 namespace {
 
 constexpr std::string_view kType = "type";
+constexpr std::string_view kParts[] = {"pivot", "crank", "dyad", "point"};
 constexpr std::size_t kLeastPoses = 3;
 
 std::vector<std::string_view> motion_types() {
@@ -31,12 +32,26 @@ std::vector<std::string_view> motion_types() {
   return words;
 }
 
+void fault_type(TableReader& document, TableReader& mechanism) {
+  fault_chain_type(document, mechanism, motion_types());
+  if (mechanism.contains(kType)) return;
+  mechanism.fault(kType,
+                  "is missing, but the file has parts of a chain; expected \"chain\" where they "
+                  "define it, or the name of the topology that they belong to");
+}
+
+/// A turn more is the same pose, whose angle in radians may be another in its last digit.
 bool is_same(const synthesis::Pose& a, const synthesis::Pose& b) {
-  return norm(a.at - b.at) == 0 && std::remainder(a.angle - b.angle, kTurn) == 0;
+  constexpr double kRounding = 1e-11;
+  return norm(a.at - b.at) == 0 && std::abs(std::remainder(a.angle - b.angle, kTurn)) < kRounding;
+}
+
+std::string_view key_of(const GivenPoses& given) {
+  return given.segments.empty() ? "poses" : "segments";
 }
 
 void check_poses(TableReader& target, const GivenPoses& given) {
-  const std::string_view key = given.segments.empty() ? "poses" : "segments";
+  const std::string_view key = key_of(given);
   const auto& poses = given.poses;
   for (std::size_t i = 1; i < poses.size(); ++i) {
     if (!is_same(poses[i - 1], poses[i])) continue;
@@ -61,11 +76,13 @@ bool read_body(TableReader& target, ChainMotionProblem& problem) {
   check_poses(target, given);
   problem.poses = std::move(given.poses);
   if (problem.poses.empty()) return false;
-  const bool repeats =
-      problem.poses.size() > kLeastPoses && is_same(problem.poses.front(), problem.poses.back());
+  const bool repeats = is_same(problem.poses.front(), problem.poses.back());
   problem.closed = closed.value_or(repeats);
   const bool dropped = problem.closed && repeats;
   if (dropped) problem.poses.pop_back();
+  if (problem.poses.size() < kLeastPoses) {
+    target.fault(key_of(given), "are two different poses; expected at least 3");
+  }
   return dropped;
 }
 
@@ -114,8 +131,11 @@ void read_parts_made(TableReader& document, LinkageTables& tables, ChainMotionPr
 }  // namespace reading
 
 bool KindTraits<ChainMotionProblem>::takes(reading::TableReader& document) {
-  if (!document.has_table("mechanism")) return false;
-  return document.table("mechanism").has_text(reading::kType);
+  const bool has_type =
+      document.has_table("mechanism") && document.table("mechanism").contains(reading::kType);
+  return has_type || std::ranges::any_of(reading::kParts, [&](std::string_view part) {
+           return document.contains(part);
+         });
 }
 
 ChainMotionProblem KindTraits<ChainMotionProblem>::read(reading::TableReader& document,
@@ -123,9 +143,10 @@ ChainMotionProblem KindTraits<ChainMotionProblem>::read(reading::TableReader& do
   using namespace reading;
   ChainMotionProblem problem;
   LinkageTables tables(document);
-  problem.mechanism = tables.mechanism.text(kType).value_or("");
+  const bool has_type = tables.mechanism.has_text(kType);
+  problem.mechanism = has_type ? *tables.mechanism.text(kType) : "";
   if (problem.mechanism != kChainWord && topologies(problem.mechanism).empty()) {
-    fault_chain_type(document, tables.mechanism, motion_types());
+    fault_type(document, tables.mechanism);
     return problem;
   }
   read_motion_target(tables.target, problem);

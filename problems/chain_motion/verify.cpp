@@ -28,14 +28,20 @@ struct BodyInLink {
   Pose pose;
 };
 
+template <class Motion>
+Pose pose_of(const BodyInLink& body, const Motion& motion) {
+  const auto& [link, own] = body;
+  const Vec2d axis = motion.bodies()[static_cast<std::size_t>(link)].direction;
+  return {motion.point({link, own.at})[0], angle_of(axis * unit_vector(own.angle))};
+}
+
 /// `design` has the heading's parameter after those of the topology.
 BodyInLink body_in_link(const Topology& topology, const synthesis::ChainDesign& design) {
   const ChainPlaces places(chain_of(topology).lines, design.parameters);
   const auto& [type, first, second] = topology.lines[static_cast<std::size_t>(topology.trace)].line;
   const auto [link, at] = places.place(topology.trace);
-  const Vec2d direction = places.in_body(first, second, unit_vector(design.parameters.back())) -
-                          places.in_body(first, second, {});
-  return {link, {at, angle_of(direction)}};
+  const Vec2d axis = places.axes(first, second).second;
+  return {link, {at, angle_of(axis * unit_vector(design.parameters.back()))}};
 }
 
 /// How far the body is from its poses: distances and angles.
@@ -47,14 +53,12 @@ struct Misses {
 template <class Motion>
 Misses misses(Motion& motion, const BodyInLink& body, std::span<const Pose> poses,
               std::span<const double> cranks) {
-  const auto& [link, own] = body;
   Misses all;
   for (std::size_t j = 0; j < poses.size(); ++j) {
     if (!motion.move_to(cranks[j])) break;
-    const Vec2d at = motion.point({link, own.at})[0];
-    const Vec2d ahead = motion.point({link, own.at + unit_vector(own.angle)})[0];
-    all.place.push_back(norm(at - poses[j].at));
-    all.angle.push_back(std::abs(std::remainder(angle_of(ahead - at) - poses[j].angle, kTurn)));
+    const Pose reached = pose_of(body, motion);
+    all.place.push_back(norm(reached.at - poses[j].at));
+    all.angle.push_back(std::abs(std::remainder(reached.angle - poses[j].angle, kTurn)));
   }
   return all;
 }

@@ -111,8 +111,8 @@ struct ChainLine {
   int first = -1, second = -1;  ///< lines before this one, where its type has them
 };
 
-/// The longest chain that is swept, and the most parameters it may have.
-inline constexpr int kMostLines = 24;
+/// The longest chain that is swept, 24 points and a heading, and the most parameters it may have.
+inline constexpr int kMostLines = 25;
 inline constexpr int kMostChainParameters = 2 * kMostLines;
 
 /// One crank; lines only name lines before them. A body that carries attached points is known by

@@ -9,6 +9,7 @@ import json
 import math
 import pathlib
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -44,6 +45,17 @@ def run(text, *arguments, command="solve"):
                               capture_output=True, text=True, check=False)
 
 
+def report_of(text):
+    """What the report page of a file shows, and its result."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "problem.toml"
+        path.write_text(text, encoding="utf-8")
+        subprocess.run([PROGRAM, "--quiet", "solve", path], cwd=folder, check=False)
+        page = path.with_suffix(".report.html").read_text(encoding="utf-8")
+        shown = re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)
+        return json.loads(shown[1]), json.loads(path.with_suffix(".result.json").read_text())
+
+
 def designs(text, *arguments):
     return json.loads(run(text, *arguments).stdout)["designs"]
 
@@ -75,6 +87,14 @@ def watt():
                               (1.5, -3), h=(0, 0.5))
 
 
+def four_bar():
+    return chain_test.Chain({
+        "pivot": [{"name": "A", "at": (0, 0)}, {"name": "D", "at": (3.5, 0.4)}],
+        "crank": {"at": "A", "pin": "B", "length": 1},
+        "dyad": [{"joins": ["B", "D"], "lengths": (3, 2.6), "assembly": "open", "new": "C"}],
+        "point": [{"name": "P", "on": ["B", "C"], "at": (1.2, 2)}]})
+
+
 def size_of(poses):
     return three_pin_paths.size_of([at for at, _ in poses])
 
@@ -92,6 +112,15 @@ def misses(design, poses, link):
     reached = carried(chain, link, own, [math.radians(a) for a in design["crank_deg"]])
     return [(abs(here - at), abs(math.remainder(turned - angle, 2 * math.pi)))
             for (here, turned), (at, angle) in zip(reached, poses)]
+
+
+def slopes(design, poses, link, weight):
+    """Of each pose's squared error by its own crank angle: none where the body is nearest."""
+    def squares(step):
+        moved = dict(design, crank_deg=[a + math.degrees(step) for a in design["crank_deg"]])
+        return [place**2 + (weight * angle)**2 for place, angle in misses(moved, poses, link)]
+    step = 1e-5
+    return [(above - below) / (2 * step) for above, below in zip(squares(step), squares(-step))]
 
 
 def rms(values):
@@ -137,6 +166,52 @@ class Found(unittest.TestCase):
             self.assertLess(best["error"]["rms"], own)
             self.check(best, moved, "EF")
 
+    def test_errors_are_those_of_the_poses_at_any_scale(self):
+        rng = random.Random(3)
+        small = noisy(carried(stephenson(), "EF", 0.7, chain_test.turn(12)), 1e-3, rng)
+        for scale, away in ((1e13, 0), (1e-9, 0), (1e7, 1e9)):
+            poses = [(scale * at + away, angle) for at, angle in small]
+            for design in designs(problem(poses, "stephenson-3", "[solve]\nstarts = 128\n")):
+                self.check(design, poses, "EF")
+
+    def test_longest_chain(self):
+        """24 points, and the heading of the body beside them."""
+        parts, last = FOUR_BAR.split("[[point]]")[0], ("B", "C")
+        for i in range(6):
+            parts += (f'[[point]]\nname = "E{i}"\non = ["{last[0]}", "{last[1]}"]\n'
+                      f'[[pivot]]\nname = "G{i}"\n[[dyad]]\nnew = "F{i}"\n')
+            parts += (f'joins = ["E{i}", "G{i}"]\n' if i else
+                      f'type = "RRP"\njoins = "E{i}"\nslide = {{through = "G{i}"}}\n')
+            last = f"E{i}", f"F{i}"
+        parts += f'[[point]]\nname = "P"\non = ["{last[0]}", "{last[1]}"]\n'
+        poses = carried(stephenson(), "EF", 0.7, chain_test.turn(12))
+        text = problem(poses, "chain", parts + "[solve]\nstarts = 64\n")
+        for design in designs(text):
+            self.check(design, poses, last)
+        more = text.replace("[solve]", '[[point]]\nname = "Q"\non = ["A", "B"]\n[solve]')
+        self.assertIn("at most 24", run(more, command="check").stderr)
+
+    def test_report_shows_the_body_at_its_origin(self):
+        """Whatever its name is, and that of another point of its link."""
+        poses = carried(stephenson(), "EF", 0.7, chain_test.turn(12))
+        text = problem(poses, "chain", FOUR_BAR + """
+[[point]]
+name = "Q"
+on = ["P", "C"]
+[solve]
+starts = 64
+""", target='closed = true\npoint = "Q"')
+        shown, result = report_of(text)
+        for drawn, design in zip(shown["designs"], result["designs"], strict=True):
+            places = chain_test.Chain(design["mechanism"]).places(1)
+            axis = (places["C"] - places["B"]) / abs(places["C"] - places["B"])
+            u, v, angle = drawn["guided"]["axes"]
+            self.assertLess(abs(complex(u, v) - (places["Q"] - places["B"]) / axis), 1e-9)
+            self.assertEqual(angle, design["metrics"]["body_angle_in_link_deg"])
+            reached = [complex(*at) for at in drawn["reached"]]
+            error = rms([abs(at - pose) for at, (pose, _) in zip(reached, poses, strict=True)])
+            self.assertAlmostEqual(error, design["metrics"]["position_error_rms"], delta=1e-9)
+
     def test_timed_motion_has_its_times(self):
         angles = chain_test.turn(24)
         poses = carried(watt(), "EF", 3.0, angles)
@@ -151,12 +226,7 @@ class Found(unittest.TestCase):
 
     def test_four_bars_are_those_of_the_kind_without_chains(self):
         rng = random.Random(11)
-        chain = chain_test.Chain({
-            "pivot": [{"name": "A", "at": (0, 0)}, {"name": "D", "at": (3.5, 0.4)}],
-            "crank": {"at": "A", "pin": "B", "length": 1},
-            "dyad": [{"joins": ["B", "D"], "lengths": (3, 2.6), "assembly": "open", "new": "C"}],
-            "point": [{"name": "P", "on": ["B", "C"], "at": (1.2, 2)}]})
-        poses = noisy(carried(chain, "BC", 0.3, chain_test.turn(24)[:20]), 0.02, rng)
+        poses = noisy(carried(four_bar(), "BC", 0.3, chain_test.turn(24)[:20]), 0.02, rng)
         for weight in (None, 0.4):
             given = f"angle_weight = {weight}\n" if weight else ""
             best = designs(problem(poses, "chain", FOUR_BAR, target=given))[0]
@@ -165,6 +235,16 @@ class Found(unittest.TestCase):
                             '[mechanism]\ndyads = ["RR"]\n'
                             '[constraints]\nclass = "crank-rocker"\n')[0]
             self.assertAlmostEqual(best["error"]["rms"] / other["error"]["rms"], 1, delta=1e-6)
+
+    def test_each_design_is_nearest_to_each_pose(self):
+        """Also those that are not the best, and from few starts."""
+        poses = noisy(carried(stephenson(), "EF", 0.3, chain_test.turn(20)), 0.003,
+                      random.Random(8))
+        text = problem(poses, "stephenson-3", "[solve]\nstarts = 256\ndesigns = 6\n",
+                       target="closed = true\nangle_weight = 1")
+        for design in designs(text):
+            steep = max(map(abs, slopes(design, poses, "EF", 1)))
+            self.assertLess(steep, 1e-5 * design["error"]["rms"])
 
     def test_link_with_three_pins(self):
         path = three_pin_paths.planted(2, random.Random(4), 35, body=0.4)
@@ -230,6 +310,19 @@ class Written(unittest.TestCase):
         self.assertTrue(checked["problem"]["target"]["closed"])
         self.assertEqual(len(checked["problem"]["target"]["poses"]), 12)
 
+    def test_pose_a_whole_turn_on_is_the_first_again(self):
+        (at, _), *others = self.POSES
+        rng = random.Random(1)
+        for _ in range(12):
+            angle = round(rng.uniform(-180, 180), 1)
+            first, again = ((at, math.radians(angle + more)) for more in (0, rng.choice((-360, 720))))
+            text = problem([first, *others, again], "six-bar", target="")
+            checked = json.loads(run(text, command="check").stdout)
+            self.assertTrue(checked["problem"]["target"]["closed"])
+            self.assertEqual(len(checked["problem"]["target"]["poses"]), 12)
+            text = problem([first, again, *others], "six-bar")
+            self.assertIn("pose 2 of target.poses repeats pose 1", self.faults(text))
+
     def test_faults_are_named(self):
         one = self.POSES[0]
         turned = [(one[0], one[1] + 0.1 * i) for i in range(4)]
@@ -239,6 +332,10 @@ class Written(unittest.TestCase):
                 (problem(turned, "six-bar"), "at one place"),
                 (problem(self.POSES, "sixbar"), '"six-bar"'),
                 (problem(self.POSES, "four-bar"), "mechanism.type"),
+                (problem(self.POSES, 5).replace('"5"', "5"), "mechanism.type is an integer"),
+                (problem(self.POSES, "six-bar", FOUR_BAR).replace('type = "six-bar"', ""),
+                 "mechanism.type is missing"),
+                (problem([one, *self.POSES[4:5], one], "six-bar"), "two different poses"),
                 (problem(self.POSES, "chain", FOUR_BAR.split("[[point]]")[0]), "joint of two links"),
                 (problem(self.POSES, "six-bar", target='method = "exact"'), "least squares"),
                 (problem(self.POSES, "six-bar", target="crank_deg = [0, 30]"), "12 poses"),

@@ -62,7 +62,7 @@ ordered_json Kind<ChainMotionProblem>::target_json(const ChainMotionProblem& pro
 
 ordered_json Kind<ChainMotionProblem>::reached_json(const ChainMotionProblem& problem,
                                                     const problems::Design& design) {
-  return reached_poses(design, problem.poses);
+  return reached_poses(design, problem.poses, problems::origin_name(problem));
 }
 
 }  // namespace cognate::app

@@ -100,5 +100,26 @@ designs = 1
 )");
 }
 
+/// A body in its link is no part of a mechanism: it is turned to the poses again.
+TEST(KnownDesignsTest, OfMotionsOfChains) {
+  for (const int count : {14, 70}) {
+    for (const bool timed : {false, true}) {
+      std::string poses, angles;
+      for (int i = 0; i < count; ++i) {
+        const double t = 6.283185307 * i / count;
+        poses += "[" + std::to_string(3 + 2 * std::cos(t)) + ", " +
+                 std::to_string(1 + std::sin(t) + 0.3 * std::cos(2 * t)) + ", " +
+                 std::to_string(150 + 40 * std::sin(t)) + "], ";
+        angles += std::to_string(-360.0 * i / count) + ", ";
+      }
+      expect_come_back<ChainMotionProblem>(
+          "kind = \"motion-generation\"\n[target]\nclosed = true\nposes = [" + poses + "]\n" +
+          (timed ? "crank_deg = [" + angles + "]\n" : "") +
+          "[mechanism]\ntype = \"watt-1\"\n[bounds]\nlength = [0.2, 20]\n[constraints]\n"
+          "transmission_angle_deg = [20, 160]\n[solve]\ndesigns = 1\nstarts = 512\n");
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cognate::problems::known_designs_test
