@@ -74,16 +74,6 @@ Misses misses(const Topology& topology, const NamedMechanism& mechanism, const B
   return misses(motion, body, poses, cranks);
 }
 
-TargetError error_of(std::span<const double> misses) {
-  TargetError error;
-  for (const double miss : misses) {
-    error.sum_of_squares += miss * miss;
-    error.max = std::max(error.max, miss);
-  }
-  error.rms = std::sqrt(error.sum_of_squares / double(misses.size()));
-  return error;
-}
-
 void take_errors(const Misses& missed, double weight, Design& design) {
   std::vector<double> together;
   for (std::size_t i = 0; i < missed.place.size(); ++i) {

@@ -185,16 +185,6 @@ std::optional<Misses> misses(std::span<const Pose> poses, const GuidedMechanism&
   return all;
 }
 
-TargetError error_of(std::span<const double> misses) {
-  TargetError error;
-  for (const double miss : misses) {
-    error.sum_of_squares += miss * miss;
-    error.max = std::max(error.max, miss);
-  }
-  error.rms = std::sqrt(error.sum_of_squares / double(misses.size()));
-  return error;
-}
-
 /// Whether the kernel finds the body where requested, as near as the poses' own rounding and
 /// a part in 1e6 of their extent. Nearly parallel slides and links far longer than the extent may
 /// leave it elsewhere.
@@ -247,6 +237,16 @@ void add_drive(const GuidedMechanism& guided, Design& design) {
 }
 
 }  // namespace
+
+TargetError error_of(std::span<const double> misses) {
+  TargetError error;
+  for (const double miss : misses) {
+    error.sum_of_squares += miss * miss;
+    error.max = std::max(error.max, miss);
+  }
+  error.rms = std::sqrt(error.sum_of_squares / double(misses.size()));
+  return error;
+}
 
 NamedMechanism named_mechanism(const GuidedMechanism& guided) {
   NamedMechanism made = std::visit(NamedOf{}, guided.type);

@@ -17,6 +17,9 @@ inline constexpr AngleKey kBodyAngleKey{"body_angle_in_link_deg"};
 /// The greatest over all poses.
 inline constexpr AngleKey kAngleErrorKey{"angle_error_max_deg"};
 
+/// The error of a body that misses its poses by these distances.
+TargetError error_of(std::span<const double> misses);
+
 /// Two dyads of a problem; the first is driven where it can be.
 struct DyadPair {
   synthesis::GuidingDyad first;
