@@ -322,15 +322,15 @@ RefinedChain with_work_of(const RefinedChain& before, RefinedChain refined) {
   return refined;
 }
 
-/// A refinement moves each crank angle half of the way to its neighbours at most. Of a motion,
-/// whose fits may be left early, it is repeated while the error falls.
+/// A refinement moves each crank angle half of the way to its neighbours at most: it is repeated
+/// while the error falls.
 RefinedChain refined_to_end(const ChainMinimum& from, synthesis::Solver solver,
                             const synthesis::Options& options, const Deadline& deadline) {
   constexpr int kMost = 30;
   constexpr double kFalls = 1 - 1e-6, kHeld = 1e-10;  // shares of the error; violation of rounding
   const ScaledChain& problem = *from.problem;
   RefinedChain best = refine(problem, from.design, from.angles, solver, options);
-  if (!problem.is_motion() || problem.timed() || !std::isfinite(best.objective)) return best;
+  if (problem.timed() || !std::isfinite(best.objective)) return best;
   for (int i = 0; i < kMost && best.objective > kMetCost && !deadline.reached(); ++i) {
     RefinedChain next =
         with_work_of(best, refine(problem, best.design, best.angles, solver, options));

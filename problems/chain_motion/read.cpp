@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/numbers/constants.hpp"
@@ -24,6 +25,7 @@ namespace {
 constexpr std::string_view kType = "type";
 constexpr std::string_view kParts[] = {"pivot", "crank", "dyad", "point"};
 constexpr std::size_t kLeastPoses = 3;
+constexpr double kOnePlace = 1e-12;  // of the farthest place: ways up to this are rounding
 
 std::vector<std::string_view> motion_types() {
   std::vector<std::string_view> words;
@@ -60,9 +62,12 @@ void check_poses(TableReader& target, const GivenPoses& given) {
                                     "differ (only the last may repeat the first)",
                                     i + 1, key, i));
   }
-  const bool has_way = std::ranges::any_of(
-      poses, [&](const synthesis::Pose& pose) { return norm(pose.at - poses.front().at) > 0; });
-  if (poses.empty() || has_way) return;
+  double farthest = 0, way = 0;
+  for (const synthesis::Pose& pose : poses) {
+    farthest = std::max(farthest, norm(pose.at));
+    way = std::max(way, norm(pose.at - poses.front().at));
+  }
+  if (poses.empty() || way > kOnePlace * farthest) return;
   target.fault(key,
                "have the body's origin at one place: a link that turns about a fixed pivot there "
                "meets them; expected places that differ, or another point of the body as its "

@@ -330,6 +330,8 @@ class Written(unittest.TestCase):
                 (problem(self.POSES[:2], "six-bar"), "expected 3 to 10000"),
                 (problem([one, one, *self.POSES], "six-bar"), "repeats pose 1"),
                 (problem(turned, "six-bar"), "at one place"),
+                (problem([(at + 1e-15 * i, angle) for i, (at, angle) in enumerate(turned)], "six-bar"),
+                 "at one place"),
                 (problem(self.POSES, "sixbar"), '"six-bar"'),
                 (problem(self.POSES, "four-bar"), "mechanism.type"),
                 (problem(self.POSES, 5).replace('"5"', "5"), "mechanism.type is an integer"),

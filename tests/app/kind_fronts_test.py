@@ -18,7 +18,7 @@ import chain_motion_test  # noqa: E402
 import chain_test  # noqa: E402
 import dwell_test  # noqa: E402
 import leg_test  # noqa: E402
-from thinned import some  # noqa: E402
+from thinned import some, whole_only  # noqa: E402
 from written_files import command, solved  # noqa: E402
 
 LIBRARY = pathlib.Path()
@@ -78,7 +78,7 @@ class Fronts(unittest.TestCase):
 
     def test_function(self):
         for objective, error in some((("least-squares", "rms"), ("minimax", "max"))):
-            text = library("chain-function/six-bar-logarithm", "transmission_angle", 128)
+            text = library("chain-function/six-bar-logarithm", "transmission_angle", 64)
             text = text.replace("[target]", f'[target]\nobjective = "{objective}"')
             result = self.by_transmission(text, f"{error}_error_deg",
                                           lambda design: design["error"][f"{error}_deg"], 1.3)
@@ -96,6 +96,7 @@ class Fronts(unittest.TestCase):
                 links += row.get("lengths") or [row["length"]]
             self.assertAlmostEqual(max(links), size, delta=1e-9 * size)
 
+    @whole_only
     def test_dwell(self):
         text = library("dwell/six-bar-dwell", "transmission_angle", 192)
         result = self.by_transmission(text, "half_band_deg",
@@ -115,6 +116,7 @@ class Fronts(unittest.TestCase):
         for design in result["designs"]:
             chain_motion_test.Found().check(design, POSES, "EF")
 
+    @whole_only
     def test_same_again_and_for_any_number_of_threads(self):
         text = library("chain-function/six-bar-logarithm", "transmission_angle", 32, 3)
         one, two = (json.loads(command(text, "solve", "--json", "--quiet", "--threads", threads).stdout)

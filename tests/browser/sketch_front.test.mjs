@@ -1,7 +1,7 @@
 // The page of `cognate sketch`: the front of error against transmission angle.
 import assert from "node:assert/strict";
 import { assertFits } from "./browser.mjs";
-import { seldom as test, some } from "./thinned.mjs";
+import { rarely as test, some } from "./thinned.mjs";
 import { couplerPose, leastTransmission } from "./closures.mjs";
 import { addressOf, answered, draw, facts, hold, holding, letGo, offered, put, settled, SIX, visit } from "./sketching.mjs";
 

@@ -1,6 +1,6 @@
 // The search for generators of functions in the page of `cognate sketch` without a page. KERNEL: its module, as the page holds it.
 import assert from "node:assert/strict";
-import { inTurn as test } from "./thinned.mjs";
+import { seldom as test } from "./thinned.mjs";
 import { randomNumbers } from "../bench/report/drawings.mjs";
 import { generatedFunction } from "../bench/report/functions.mjs";
 import { leadingQuestion, problemOf } from "../../app/report/page/sketch/question.js";

@@ -1,6 +1,6 @@
 // The search for straight lines in the page of `cognate sketch` without a page. KERNEL: its module, as the page holds it.
 import assert from "node:assert/strict";
-import { inTurn as test } from "./thinned.mjs";
+import { seldom as test } from "./thinned.mjs";
 import { Candidate } from "../../app/report/page/sketch/candidate.js";
 import { leadingQuestion, problemOf } from "../../app/report/page/sketch/question.js";
 import { couplerPose } from "./closures.mjs";

@@ -5,7 +5,7 @@ import { execFileSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
-import { inTurn as test } from "./thinned.mjs";
+import { seldom as test } from "./thinned.mjs";
 import { harmonicStroke, randomNumbers } from "../bench/report/drawings.mjs";
 import { kindOf, leadingQuestion, liveQuestion, problemOf, questionsOf } from "../../app/report/page/sketch/question.js";
 import { placedOn } from "../../app/report/page/sketch/ruled.js";

@@ -9,5 +9,6 @@ let tests = 0;
 const oneOf = (share) => (name, ...rest) => tests++ % share === 0 || process.env.WHOLE ? test(name, ...rest) : test.skip(name);
 export const inTurn = oneOf(2);
 
-// Where each takes long, every fourth.
+// Where each takes long, every fourth or eighth.
 export const seldom = oneOf(4);
+export const rarely = oneOf(8);
