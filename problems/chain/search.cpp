@@ -322,15 +322,14 @@ RefinedChain with_work_of(const RefinedChain& before, RefinedChain refined) {
   return refined;
 }
 
-/// A refinement moves each crank angle half of the way to its neighbours at most: it is repeated
-/// while the error falls.
-RefinedChain refined_to_end(const ChainMinimum& from, synthesis::Solver solver,
-                            const synthesis::Options& options, const Deadline& deadline) {
+/// A refinement moves each crank angle half of the way to its neighbours at most. Of a motion,
+/// whose fits may be left early, it is repeated while the error falls.
+void refine_to_end(const ScaledChain& problem, synthesis::Solver solver,
+                   const synthesis::Options& options, const Deadline& deadline,
+                   RefinedChain& best) {
   constexpr int kMost = 30;
   constexpr double kFalls = 1 - 1e-6, kHeld = 1e-10;  // shares of the error; violation of rounding
-  const ScaledChain& problem = *from.problem;
-  RefinedChain best = refine(problem, from.design, from.angles, solver, options);
-  if (problem.timed() || !std::isfinite(best.objective)) return best;
+  if (!problem.is_motion() || problem.timed() || !std::isfinite(best.objective)) return;
   for (int i = 0; i < kMost && best.objective > kMetCost && !deadline.reached(); ++i) {
     RefinedChain next =
         with_work_of(best, refine(problem, best.design, best.angles, solver, options));
@@ -339,6 +338,17 @@ RefinedChain refined_to_end(const ChainMinimum& from, synthesis::Solver solver,
     if (next.objective <= best.objective && is_held) best = std::move(next);
     if (!falls || !is_held) break;
   }
+}
+
+/// Those of least error, a few more than are asked for.
+std::vector<std::size_t> best_of(const std::vector<RefinedChain>& refined, int designs) {
+  constexpr std::size_t kMore = 2;
+  std::vector<std::size_t> best(refined.size());
+  std::iota(best.begin(), best.end(), std::size_t{0});
+  std::ranges::stable_sort(best, {}, [&](std::size_t i) {
+    return refined[i].angles.empty() ? kInfinity : refined[i].objective;
+  });
+  best.resize(std::min(best.size(), static_cast<std::size_t>(designs) + kMore));
   return best;
 }
 
@@ -348,10 +358,19 @@ void refine_all(std::vector<ChainMinimum>& designs, const Solve& options, const 
   synthesis::Options own;
   own.tolerance = options.tolerance.value_or(1e-13);
   own = synthesis::until(deadline, own);
+  const synthesis::Solver solver = synthesis::chosen(options.solver);
   parallel_for(static_cast<int>(designs.size()), run.threads, [&](int index, int) {
     const auto i = static_cast<std::size_t>(index);
     if (deadline.reached()) return;
-    refined[i] = refined_to_end(designs[i], synthesis::chosen(options.solver), own, deadline);
+    const ChainMinimum& from = designs[i];
+    refined[i] = refine(*from.problem, from.design, from.angles, solver, own);
+  });
+  const auto best = best_of(refined, options.designs);
+  parallel_for(static_cast<int>(best.size()), run.threads, [&](int index, int) {
+    const std::size_t i = best[static_cast<std::size_t>(index)];
+    if (!refined[i].angles.empty()) {
+      refine_to_end(*designs[i].problem, solver, own, deadline, refined[i]);
+    }
   });
   for (std::size_t i = 0; i < designs.size(); ++i) {
     const RefinedChain& to = refined[i];

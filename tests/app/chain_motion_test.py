@@ -185,7 +185,7 @@ class Found(unittest.TestCase):
             last = f"E{i}", f"F{i}"
         parts += f'[[point]]\nname = "P"\non = ["{last[0]}", "{last[1]}"]\n'
         poses = carried(stephenson(), "EF", 0.7, chain_test.turn(12))
-        text = problem(poses, "chain", parts + "[solve]\nstarts = 64\n")
+        text = problem(poses, "chain", parts + "[solve]\nstarts = 32\n")
         for design in designs(text):
             self.check(design, poses, last)
         more = text.replace("[solve]", '[[point]]\nname = "Q"\non = ["A", "B"]\n[solve]')
@@ -250,7 +250,7 @@ starts = 64
         path = three_pin_paths.planted(2, random.Random(4), 35, body=0.4)
         poses = path[::10]
         best = designs(problem(poses, "three-pin-2", "[constraints]\n"
-                               "transmission_angle_deg = [30, 150]\n"))[0]
+                               "transmission_angle_deg = [30, 150]\n[solve]\nstarts = 512\n"))[0]
         self.assertLess(best["error"]["rms"], 1e-4 * size_of(poses))
         moved = three_pin_paths.Design(best["mechanism"])
         link = moved.names[3:5]

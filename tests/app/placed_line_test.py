@@ -15,7 +15,7 @@ import sys
 import tempfile
 import unittest
 
-from thinned import some
+from thinned import some, whole_only
 from toml_text import toml_of
 
 PROGRAM = ""
@@ -194,6 +194,7 @@ class Lines(Placed):
         one, other = (design["metrics"]["deviation"] for design in found)
         self.assertLess(abs(one / other - 1), 0.1)
 
+    @whole_only
     def test_the_smallest_linkage_too(self):
         p, q = LINES["aslant"]
         length = abs(q - p)
@@ -202,6 +203,7 @@ class Lines(Placed):
         design = self.best_of(problem)
         self.assertLessEqual(design["metrics"]["deviation"], 0.005 * length * (1 + SLACK))
 
+    @whole_only
     def test_dimensions_on_a_raster(self):
         ends = LINES["upwards"]
         problem = document(ends, {"class": "crank-rocker"}, {"starts": 40}, raster={"crank": 0.5})
@@ -222,6 +224,7 @@ class Lines(Placed):
             self.assertLess(design["metrics"]["deviation"], 1.02 * free["metrics"]["deviation"])
 
 
+    @whole_only
     def test_no_design_that_is_found_without_the_region_is_better_in_it(self):
         """Of many designs each is put in its four places, and those in the region are compared."""
         ends = (-60 + 5j, 10 + 20j)

@@ -102,18 +102,18 @@ test("a design with a three-pin link is shown by the distances of its pins, and 
   await close();
 });
 
-test("a front of dwells is drawn by their half bands", async () => {
-  const file = path.join(folder, "dwells.toml"), text = readFileSync(path.join(LIBRARY, "dwell", "six-bar-dwell.toml"), "utf8");
-  writeFileSync(file, `${text.split("\n[solve]")[0]}\n[solve]\nobjectives = ["error", "transmission_angle"]\nstarts = 64\ndesigns = 3\n`);
+test("a front of the largest error is drawn by that", async () => {
+  const file = path.join(folder, "square.toml"), text = readFileSync(path.join(LIBRARY, "chain-function", "slider-crank-square.toml"), "utf8");
+  writeFileSync(file, `${text.split("\n[solve]")[0]}\n[solve]\nobjectives = ["error", "size"]\nstarts = 64\ndesigns = 3\n`);
   execFileSync(process.env.COGNATE, ["solve", "--quiet", "--out", folder, file]);
-  const { page, faults, close } = await open(browser, path.join(folder, "dwells.report.html"), { motion: "reduce" });
+  const { page, faults, close } = await open(browser, path.join(folder, "square.report.html"), { motion: "reduce" });
   const designs = await page.evaluate(() => JSON.parse(document.getElementById("data").textContent).result.designs);
   const labels = await page.locator("#front-plot .front-point").evaluateAll((marks) => marks.map((mark) => mark.getAttribute("aria-label")));
   assert.equal(labels.length, designs.length);
   assert.ok(designs.length > 1);
-  for (const [i, { metrics }] of designs.entries()) {
+  for (const [i, { error }] of designs.entries()) {
     const shown = labels[i].match(/[0-9.]+(?:e-[0-9]+)?/g).map(Number);
-    assert.ok(shown.some((value) => Math.abs(value / metrics.half_band_deg - 1) < 1e-3), `${labels[i]} without ${metrics.half_band_deg}`);
+    assert.ok(shown.some((value) => Math.abs(value / error.max - 1) < 1e-3), `${labels[i]} without ${error.max}`);
   }
   assert.deepEqual(faults, []);
   await close();
