@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import { assertFits, distance, moves, open } from "./browser.mjs";
-import { seldom as test, some } from "./thinned.mjs";
+import { rarely as test, some } from "./thinned.mjs";
 import { clearanceOf, couplerPose } from "./closures.mjs";
 import { addressOf, answered, browser, draw, facts, file, hasKernel, hold, holding, offered, settled, targets, visit } from "./sketching.mjs";
 

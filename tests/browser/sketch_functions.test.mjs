@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test as always } from "node:test";
 import { assertFits, LOOKS } from "./browser.mjs";
-import { seldom as test } from "./thinned.mjs";
+import { rarely as test } from "./thinned.mjs";
 import { rockerAngle } from "./closures.mjs";
 import { answered, draw, facts, offered, settled, targets, visit } from "./sketching.mjs";
 

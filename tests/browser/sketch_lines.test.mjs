@@ -1,7 +1,7 @@
 // The page of `cognate sketch`: a straight line is drawn, and four-bars go along it.
 import assert from "node:assert/strict";
 import { assertFits } from "./browser.mjs";
-import { seldom as test, some } from "./thinned.mjs";
+import { rarely as test, some } from "./thinned.mjs";
 import { couplerPose, leastTransmission } from "./closures.mjs";
 import { addressOf, answered, draw, facts, offered, settled, targets, visit } from "./sketching.mjs";
 

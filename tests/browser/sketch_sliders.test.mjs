@@ -1,7 +1,7 @@
 // The page of `cognate sketch`: slider-cranks trace a curve that is drawn.
 import assert from "node:assert/strict";
 import { assertFits, distance } from "./browser.mjs";
-import { seldom as test, some } from "./thinned.mjs";
+import { rarely as test, some } from "./thinned.mjs";
 import { couplerPose, sliderPose } from "./closures.mjs";
 import { addressOf, answered, draw, facts, offered, settled, targets, visit } from "./sketching.mjs";
 
