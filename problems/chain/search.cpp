@@ -32,9 +32,11 @@ constexpr std::size_t kMostFitted = 64;  ///< targets that the search looks at
 constexpr int kTurnChecks = 36;  ///< positions at which the search looks at transmission angles
 /// By so much a cosine that goes up and down once in a turn is greater between these: (2π/36)²/8.
 constexpr double kBetweenChecks = 0.004;
-constexpr std::size_t kKept = 40;     ///< minima kept while searching
-constexpr std::size_t kRefined = 12;  ///< of which so many are refined
-constexpr double kHopShare = 0.6;     ///< of the starts that disturb a design known
+constexpr std::size_t kKept = 40;      ///< minima kept while searching
+constexpr std::size_t kRefined = 12;   ///< of which so many are refined
+constexpr int kFinalIterations = 600;  ///< of their fits
+constexpr double kFinalTolerance = 1e-12;
+constexpr double kHopShare = 0.6;  ///< of the starts that disturb a design known
 constexpr double kMetCost = kMetError * kMetError;
 constexpr double kEnough = 1e-11;    ///< and that no workshop can measure
 constexpr double kNearlyMet = 1e-8;  ///< from here on the best is refined at once
@@ -151,13 +153,19 @@ class ChainExplorer {
   const ScaledChain& problem() const { return problem_; }
   std::uint64_t drawn() const { return drawn_; }
 
-  /// The best designs, with angles at all targets.
+  /// The best designs, with angles at all targets. Their fits are brought to an end: a refinement
+  /// moves each angle of the crank half of the way to its neighbours at most.
   std::vector<ChainMinimum> found() const {
-    std::vector<ChainMinimum> all;
+    std::vector<ChainFitState> best;
     for (const Candidate& one : search_.all()) {
-      if (all.size() == kRefined) break;
-      all.push_back({&problem_, one.state.design, targets_.at_all(problem_, one.state.angles),
-                     std::sqrt(one.state.cost), 0});
+      if (best.size() < kRefined) best.push_back(one.state);
+    }
+    fit(best, {.most_iterations = kFinalIterations, .tolerance = kFinalTolerance});
+    std::vector<ChainMinimum> all;
+    for (std::size_t i = 0; i < best.size(); ++i) {
+      const ChainFitState& state = best[i].cost >= 0 ? best[i] : search_.all()[i].state;
+      all.push_back({&problem_, state.design, targets_.at_all(problem_, state.angles),
+                     std::sqrt(state.cost), 0});
     }
     return all;
   }
@@ -182,7 +190,7 @@ class ChainExplorer {
   }
 
   void fit_and_add(std::vector<ChainFitState> states) {
-    fit(states);
+    fit(states, screening());
     search_.for_each(states.size(), [&](std::size_t i) { note_stray(states[i]); });
     std::vector<Candidate> fresh;
     for (ChainFitState& state : states) fresh.push_back({std::move(state)});
@@ -212,11 +220,16 @@ class ChainExplorer {
     search_.add({std::move(refined)}, 0);
   }
 
-  void fit(std::vector<ChainFitState>& states) const {
-    synthesis::ChainFitOptions options;
+  /// Gives up starts that stay far behind the best known.
+  synthesis::ChainFitOptions screening() const {
     const double known = std::min(best(), 1.0);
+    synthesis::ChainFitOptions options;
     options.early_cost = std::max(0.05 * 0.05, 100 * known);
     options.late_cost = std::max(0.015 * 0.015, 6.25 * known);
+    return options;
+  }
+
+  void fit(std::vector<ChainFitState>& states, synthesis::ChainFitOptions options) const {
     options.threads = run_.threads;
     options.stop = [&] { return search_.is_over(); };
     synthesis::fit_chains(targets_.fit, states, options);
@@ -314,63 +327,18 @@ synthesis::StartRule rule_of(const Solve& options) {
   return rule;
 }
 
-/// Adds what `before` cost.
-RefinedChain with_work_of(const RefinedChain& before, RefinedChain refined) {
-  refined.evaluations += before.evaluations;
-  refined.gradients += before.gradients;
-  refined.iterations += before.iterations;
-  return refined;
-}
-
-/// A refinement moves each crank angle half of the way to its neighbours at most. Of a motion,
-/// whose fits may be left early, it is repeated while the error falls.
-void refine_to_end(const ScaledChain& problem, synthesis::Solver solver,
-                   const synthesis::Options& options, const Deadline& deadline,
-                   RefinedChain& best) {
-  constexpr int kMost = 30;
-  constexpr double kFalls = 1 - 1e-6, kHeld = 1e-10;  // shares of the error; violation of rounding
-  if (!problem.is_motion() || problem.timed() || !std::isfinite(best.objective)) return;
-  for (int i = 0; i < kMost && best.objective > kMetCost && !deadline.reached(); ++i) {
-    RefinedChain next =
-        with_work_of(best, refine(problem, best.design, best.angles, solver, options));
-    const bool falls = next.objective < kFalls * best.objective;
-    const bool is_held = next.violation <= std::max(best.violation, kHeld);
-    if (next.objective <= best.objective && is_held) best = std::move(next);
-    if (!falls || !is_held) break;
-  }
-}
-
-/// Those of least error, a few more than are asked for.
-std::vector<std::size_t> best_of(const std::vector<RefinedChain>& refined, int designs) {
-  constexpr std::size_t kMore = 2;
-  std::vector<std::size_t> best(refined.size());
-  std::iota(best.begin(), best.end(), std::size_t{0});
-  std::ranges::stable_sort(best, {}, [&](std::size_t i) {
-    return refined[i].angles.empty() ? kInfinity : refined[i].objective;
-  });
-  best.resize(std::min(best.size(), static_cast<std::size_t>(designs) + kMore));
-  return best;
-}
-
 void refine_all(std::vector<ChainMinimum>& designs, const Solve& options, const Run& run,
                 const Deadline& deadline, Work& work) {
   std::vector<RefinedChain> refined(designs.size());
   synthesis::Options own;
   own.tolerance = options.tolerance.value_or(1e-13);
   own = synthesis::until(deadline, own);
-  const synthesis::Solver solver = synthesis::chosen(options.solver);
   parallel_for(static_cast<int>(designs.size()), run.threads, [&](int index, int) {
     const auto i = static_cast<std::size_t>(index);
     if (deadline.reached()) return;
     const ChainMinimum& from = designs[i];
-    refined[i] = refine(*from.problem, from.design, from.angles, solver, own);
-  });
-  const auto best = best_of(refined, options.designs);
-  parallel_for(static_cast<int>(best.size()), run.threads, [&](int index, int) {
-    const std::size_t i = best[static_cast<std::size_t>(index)];
-    if (!refined[i].angles.empty()) {
-      refine_to_end(*designs[i].problem, solver, own, deadline, refined[i]);
-    }
+    refined[i] =
+        refine(*from.problem, from.design, from.angles, synthesis::chosen(options.solver), own);
   });
   for (std::size_t i = 0; i < designs.size(); ++i) {
     const RefinedChain& to = refined[i];

@@ -207,7 +207,7 @@ starts = 64
             axis = (places["C"] - places["B"]) / abs(places["C"] - places["B"])
             u, v, angle = drawn["guided"]["axes"]
             self.assertLess(abs(complex(u, v) - (places["Q"] - places["B"]) / axis), 1e-9)
-            self.assertEqual(angle, design["metrics"]["body_angle_in_link_deg"])
+            self.assertAlmostEqual(angle, design["metrics"]["body_angle_in_link_deg"], delta=1e-9)
             reached = [complex(*at) for at in drawn["reached"]]
             error = rms([abs(at - pose) for at, (pose, _) in zip(reached, poses, strict=True)])
             self.assertAlmostEqual(error, design["metrics"]["position_error_rms"], delta=1e-9)
