@@ -122,40 +122,76 @@ void three_pin_gradients(benchmark::State& state) {
 }
 BENCHMARK(three_pin_gradients);
 
-/// Whole iterations of fits in lanes: rows and normal equations of 15 unknowns, 36 positions at
-/// which transmission angles are looked at, the attempt and its cost.
-void fit_iterations(benchmark::State& state) {
+/// A path of the six-bar, its points moved by some hundredths, to be fitted by all its dimensions.
+struct DisturbedPath {
   ChainFit fit;
-  fit.chain = posed.six_bar.chain;
-  fit.trace = kTracedLine;
-  fit.closed = true;
-  ChainPlace<double> at;
   ChainFitState start{posed.six_bar.design, {}};
-  for (int j = 0; j < 60; ++j) {
-    place(posed.view(), posed.cranks[static_cast<std::size_t>(3 * j)], at);
-    fit.x.push_back(at.at[kTracedLine].x + 0.1 * std::sin(7.0 * j));
-    fit.y.push_back(at.at[kTracedLine].y + 0.1 * std::cos(5.0 * j));
-    fit.root_weight.push_back(1);
-    start.angles.push_back(kTurn * j / 60);
+
+  DisturbedPath() {
+    fit.chain = posed.six_bar.chain;
+    fit.trace = kTracedLine;
+    fit.closed = true;
+    ChainPlace<double> at;
+    for (int j = 0; j < 60; ++j) {
+      place(posed.view(), posed.cranks[static_cast<std::size_t>(3 * j)], at);
+      fit.x.push_back(at.at[kTracedLine].x + 0.1 * std::sin(7.0 * j));
+      fit.y.push_back(at.at[kTracedLine].y + 0.1 * std::cos(5.0 * j));
+      fit.root_weight.push_back(1);
+      start.angles.push_back(kTurn * j / 60);
+    }
+    for (int i = 0; i < 15; ++i) add_unknown(i);
+    fit.joints = joints(fit.chain);
   }
-  for (int i = 0; i < 15; ++i) {
-    fit.free.push_back(i);
+
+  void add_unknown(int parameter) {
+    fit.free.push_back(parameter);
     fit.lower.push_back(-100);
     fit.upper.push_back(100);
   }
-  fit.joints = joints(fit.chain);
+
+  /// The body of the traced point is to have directions, too.
+  void add_headings() {
+    fit.heading = static_cast<int>(fit.chain.lines.size());
+    fit.chain.lines.push_back({LineType::heading, kTracedLine});
+    add_unknown(static_cast<int>(start.design.parameters.size()));
+    start.design.parameters.push_back(0.3);
+    start.design.side.push_back(0);
+    fit.angle_weight = 1;
+    for (int j = 0; j < 60; ++j) {
+      const Vec2d wanted = unit_vector(0.5 * std::sin(kTurn * j / 60));
+      fit.heading_x.push_back(wanted.x);
+      fit.heading_y.push_back(wanted.y);
+    }
+  }
+};
+
+void run_iterations(benchmark::State& state, const DisturbedPath& path) {
   ChainFitOptions options;
   options.tolerance = 0;
   options.most_iterations = 20;
   std::int64_t iterations = 0;
   for (auto _ : state) {
-    std::vector<ChainFitState> states(64, start);
-    fit_chains(fit, states, options);
+    std::vector<ChainFitState> states(64, path.start);
+    fit_chains(path.fit, states, options);
     for (const ChainFitState& one : states) iterations += one.iterations;
   }
   state.SetItemsProcessed(iterations * 60);
 }
+
+/// Whole iterations of fits in lanes: rows and normal equations of 15 unknowns, 36 positions at
+/// which transmission angles are looked at, the attempt and its cost.
+void fit_iterations(benchmark::State& state) {
+  run_iterations(state, DisturbedPath{});
+}
 BENCHMARK(fit_iterations);
+
+/// The same of a body's poses: two rows for each, one unknown more.
+void motion_fit_iterations(benchmark::State& state) {
+  DisturbedPath path;
+  path.add_headings();
+  run_iterations(state, path);
+}
+BENCHMARK(motion_fit_iterations);
 
 }  // namespace
 }  // namespace cognate::synthesis
