@@ -1,3 +1,4 @@
+/// @file `target.ends`: where a straight line lies in the plane.
 #pragma once
 
 #include "problems/straight_line/problem.hpp"

@@ -110,6 +110,14 @@ class Fronts(unittest.TestCase):
                                       1.3)
         leg_test.Designs().check(result)
 
+    @whole_only
+    def test_a_front_shorter_than_the_first_step(self):
+        """Of legs as flat as this none has 40 degrees."""
+        text = library("leg/klann", "transmission_angle", 256)
+        _, least, _ = self.front(text, "transmission_angle_deg.acute_min", "flatness",
+                                 lambda design: design["metrics"]["flatness"])
+        self.assertLess(least[-1], 40)
+
     def test_motion(self):
         result = self.by_transmission(motion("transmission_angle"), "rms_error",
                                       lambda design: design["error"]["rms"])

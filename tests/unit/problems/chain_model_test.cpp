@@ -7,6 +7,7 @@
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/chain/model.hpp"
+#include "problems/chain/starts/heading.hpp"
 #include "problems/chain_function/model.hpp"
 #include "problems/dwell/model.hpp"
 #include "synthesis/optimise/check_derivatives.hpp"
@@ -103,6 +104,46 @@ TEST(ChainPathModel, DerivativesOfAMotionAreThoseOfTheValues) {
       const auto error = synthesis::check_derivatives(model, model.start());
       ASSERT_TRUE(error.has_value);
       EXPECT_LT(error.relative, 1e-8) << error.describe(model);
+    }
+  }
+}
+
+/// What is left of a body turned by `turn` in its link where its directions are `wanted`.
+double missed(const ScaledChain& problem, const synthesis::ChainDesign& design, double turn,
+              std::span<const double> cranks) {
+  synthesis::ChainDesign turned = design;
+  turned.parameters.back() = turn;
+  const std::vector<double> side(design.side.begin(), design.side.end());
+  FreeChain chain(problem, turned.parameters, side);
+  double square = 0;
+  for (std::size_t j = 0; j < cranks.size(); ++j) {
+    chain.at(cranks[j]);
+    const double off = chain.turned(problem.headings.line, problem.headings.directions[j]);
+    square += 4 * std::sin(off / 2) * std::sin(off / 2) / double(cranks.size());
+  }
+  return square * problem.headings.weight * problem.headings.weight;
+}
+
+TEST(TurnBody, IsTheLeastOfAllTurns) {
+  for (const SixBar& six_bar : six_bars()) {
+    SCOPED_TRACE(std::string(six_bar.name));
+    const ChainPathProblem path = path_of(six_bar, false);
+    ScaledChain problem(path, path.topologies.front(), TargetScale{});
+    std::vector<double> wanted, cranks;
+    std::vector<std::size_t> which;
+    for (std::size_t j = 0; j < 12; ++j) {
+      wanted.push_back(2.5 + 1.5 * std::sin(2.0 * double(j)));
+      cranks.push_back(kTurn * double(j) / 12);
+      which.push_back(j);
+    }
+    problem.add_headings(wanted, 0.7);
+    synthesis::ChainDesign design = six_bar.design;
+    design.parameters.push_back(0);
+    design.side.push_back(0);
+    const double least = turn_body(problem, which, cranks, design);
+    EXPECT_NEAR(least, missed(problem, design, design.parameters.back(), cranks), 1e-12);
+    for (double turn = -3.1; turn < 3.2; turn += 0.01) {
+      EXPECT_GE(missed(problem, design, turn, cranks), least - 1e-12);
     }
   }
 }

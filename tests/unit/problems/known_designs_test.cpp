@@ -101,6 +101,48 @@ designs = 1
 }
 
 /// A body in its link is no part of a mechanism: it is turned to the poses again.
+/// The same of greatest errors, which a search that goes on from a design may make less.
+template <class AnyProblem>
+void expect_no_worse(const std::string& text) {
+  const auto parsed = parse_task(text);
+  ASSERT_TRUE(parsed) << text;
+  auto problem = std::get<AnyProblem>(*parsed);
+  Run run;
+  const Result first = solve(problem, run);
+  ASSERT_EQ(first.status, Status::solved) << text;
+  run.known = {first.designs.front()};
+  problem.solve.starts = 0;
+  const Result again = solve(problem, run);
+  ASSERT_EQ(again.status, Status::solved) << text;
+  const double error = first.designs.front().error.max;
+  EXPECT_LE(again.designs.front().error.max, error * (1 + 1e-6));
+  EXPECT_GE(again.designs.front().error.max, 0.5 * error);
+  run.known.clear();
+  EXPECT_TRUE(solve(problem, run).designs.empty()) << "there is no start at all";
+}
+
+TEST(KnownDesignsTest, OfFunctionsOfChains) {
+  expect_no_worse<ChainFunctionProblem>(
+      "kind = 'function-generation'\n[target]\nfunction = 'log10(x)'\ndomain = [1, 10]\n"
+      "input_range_deg = 90\noutput_range_deg = 90\nobjective = 'minimax'\n[mechanism]\n"
+      "type = 'watt-2'\n[bounds]\nlength = [0.4, 5]\n[constraints]\n"
+      "transmission_angle_deg = [40, 140]\n[solve]\nstarts = 64\ndesigns = 1\n");
+}
+
+TEST(KnownDesignsTest, OfDwells) {
+  expect_no_worse<DwellProblem>(
+      "kind = 'function-generation'\n[target]\ndwell = [{ over_deg = 90 }]\nswing_deg_min = 40\n"
+      "[mechanism]\ntype = 'stephenson-3'\n[constraints]\ntransmission_angle_deg = [30, 150]\n"
+      "[solve]\nstarts = 64\ndesigns = 1\n");
+}
+
+TEST(KnownDesignsTest, OfLegs) {
+  expect_no_worse<LegProblem>(
+      "kind = 'leg'\n[target]\nduty = 0.55\nstride = 1\nheight_min = 0.4\n[mechanism]\n"
+      "type = 'klann'\n[constraints]\ntransmission_angle_deg = [25, 155]\n"
+      "[solve]\nstarts = 32\ndesigns = 1\n");
+}
+
 TEST(KnownDesignsTest, OfMotionsOfChains) {
   for (const int count : {14, 70}) {
     for (const bool timed : {false, true}) {
