@@ -33,14 +33,6 @@ std::vector<std::string_view> path_types() {
   return words;
 }
 
-void read_chain_constraints(TableReader& constraints, ChainConstraints& limits) {
-  limits.transmission_angle =
-      read_chain_transmission(constraints).value_or(limits.transmission_angle);
-  limits.over = constraints.choice<LimitSpan>("over").value_or(limits.over);
-  limits.rms_error_max = constraints.number("rms_error_max", kErrorScale);
-  refuse_four_bar_limits(constraints, "transmission_angle_deg, over and rms_error_max");
-}
-
 std::optional<Raster> read_chain_raster(TableReader& document, const ChainPathProblem& problem) {
   constexpr std::array<std::string_view, 4> kKeys{"length", "pivots", "coupler_point", "crank"};
   const bool is_one = problem.topologies.size() == 1;
@@ -155,7 +147,7 @@ ChainPathProblem KindTraits<ChainPathProblem>::read(reading::TableReader& docume
   Wanted wanted = read_traced(tables.target, problem.mechanism, "P");
   wanted.takes_three_pins = true;
   problem.topologies = read_topologies(document, tables, topologies(problem.mechanism), wanted);
-  read_chain_constraints(tables.constraints, problem.constraints);
+  problem.constraints = read_chain_constraints(tables.constraints);
   read_chain_solve(tables.solve, problem.solve);
   std::ranges::any_of(problem.topologies, has_three_pin_link)
       ? read_with_three_pins(document, tables, problem)

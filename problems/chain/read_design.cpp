@@ -109,6 +109,16 @@ void refuse_four_bar_limits(TableReader& constraints, std::string_view taken) {
   }
 }
 
+ChainConstraints read_chain_constraints(TableReader& constraints) {
+  ChainConstraints limits;
+  limits.transmission_angle =
+      read_chain_transmission(constraints).value_or(limits.transmission_angle);
+  limits.over = constraints.choice<LimitSpan>("over").value_or(limits.over);
+  limits.rms_error_max = constraints.number("rms_error_max", kErrorScale);
+  refuse_four_bar_limits(constraints, "transmission_angle_deg, over and rms_error_max");
+  return limits;
+}
+
 void refuse_with_three_pins(TableReader& document, LinkageTables& tables, LimitSpan over) {
   constexpr std::string_view kWhy =
       "is for chains of dyads alone, not for links with three pins; remove it";

@@ -37,6 +37,10 @@ std::array<std::string, 2> read_output(TableReader& target, const std::string& t
 /// `transmission_angle_deg` in radians, where it is given and can be kept to.
 std::optional<Range> read_chain_transmission(TableReader& constraints);
 
+/// `[constraints]` of paths and motions, but for layers; limits that four-bars alone have are
+/// faults.
+ChainConstraints read_chain_constraints(TableReader& constraints);
+
 /// Faults limits that four-bars alone have; `taken`: what a chain takes instead, for the message.
 void refuse_four_bar_limits(TableReader& constraints, std::string_view taken);
 

@@ -30,10 +30,7 @@ reading::Written KindTraits<ChainPathProblem>::written(const ChainPathProblem& p
   Written all;
   check_structure(problem.mechanism, problem.topologies, topologies(problem.mechanism), all.faults);
   check_one_demand(problem.topologies, all.faults);
-  TableWriter constraints;
-  constraints.set_deg("transmission_angle_deg", problem.constraints.transmission_angle)
-      .set_name("over", problem.constraints.over)
-      .set("rms_error_max", problem.constraints.rms_error_max);
+  TableWriter constraints = chain_constraints_writer(problem.constraints);
   write_design_layers(problem.layers, constraints);
   all.document =
       document_writer(kWord, problem.title, problem.length_unit)
@@ -52,12 +49,7 @@ reading::Written KindTraits<ChainPathProblem>::written(const ChainPathProblem& p
 
 tl::expected<ChainPathProblem, std::vector<std::string>> KindTraits<ChainPathProblem>::checked(
     const ChainPathProblem& problem) {
-  ChainPathProblem complete = problem;
-  if (complete.topologies.empty()) complete.topologies = topologies(complete.mechanism);
-  const auto read = reading::read_back(complete);
-  if (!read) return tl::unexpected(read.error());
-  complete.topologies = read->topologies;
-  return complete;
+  return reading::checked_chain(problem, topologies(problem.mechanism));
 }
 
 }  // namespace cognate::problems

@@ -211,6 +211,14 @@ TableWriter chain_solve_writer(const Solve& solve, const std::optional<ChainMeas
   return std::move(table).set("objectives", Array{node("error"), node(to_string(*against))});
 }
 
+TableWriter chain_constraints_writer(const ChainConstraints& constraints) {
+  TableWriter table;
+  table.set_deg("transmission_angle_deg", constraints.transmission_angle)
+      .set_name("over", constraints.over)
+      .set("rms_error_max", constraints.rms_error_max);
+  return table;
+}
+
 void write_chain_timing(const std::vector<double>& angles, TableWriter& target) {
   target.set("timing", angles.empty() ? kFreeDimension : "prescribed");
   if (angles.empty()) return;

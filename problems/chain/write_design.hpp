@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/chain/front/measure.hpp"
-#include "problems/chain/topology.hpp"
+#include "problems/chain/problem.hpp"
 #include "problems/linkage/linkage_limits.hpp"
 #include "problems/toml/table_writer.hpp"
 
@@ -29,6 +28,22 @@ void write_chain_timing(const std::vector<double>& angles, TableWriter& target);
 /// `target.point` of a chain that the file defines.
 void write_traced(const std::string& type, const std::vector<Topology>& topologies,
                   TableWriter& target);
+
+/// `[constraints]` of paths and motions, but for layers.
+TableWriter chain_constraints_writer(const ChainConstraints& constraints);
+
+/// `problem`, with the topologies `known` of its type where it has none, as it is read from what is
+/// written of it; or the faults that its reader finds.
+template <class AnyProblem>
+tl::expected<AnyProblem, std::vector<std::string>> checked_chain(
+    const AnyProblem& problem, const std::vector<Topology>& known) {
+  AnyProblem complete = problem;
+  if (complete.topologies.empty()) complete.topologies = known;
+  const auto read = read_back(complete);
+  if (!read) return tl::unexpected(read.error());
+  complete.topologies = read->topologies;
+  return complete;
+}
 
 /// A fault where topologies demand different things of points of one name, which no file can.
 void check_one_demand(const std::vector<Topology>& topologies, std::vector<std::string>& faults);

@@ -115,14 +115,6 @@ void check_origin(TableReader& target, const ChainMotionProblem& problem) {
   }
 }
 
-void read_limits(TableReader& table, ChainMotionProblem& problem) {
-  ChainConstraints& limits = problem.constraints;
-  limits.transmission_angle = read_chain_transmission(table).value_or(limits.transmission_angle);
-  limits.over = table.choice<LimitSpan>("over").value_or(limits.over);
-  limits.rms_error_max = table.number("rms_error_max", kErrorScale);
-  refuse_four_bar_limits(table, "transmission_angle_deg, over and rms_error_max");
-}
-
 void read_parts_made(TableReader& document, LinkageTables& tables, ChainMotionProblem& problem) {
   if (std::ranges::any_of(problem.topologies, has_three_pin_link)) {
     return refuse_with_three_pins(document, tables, problem.constraints.over);
@@ -159,7 +151,7 @@ ChainMotionProblem KindTraits<ChainMotionProblem>::read(reading::TableReader& do
   wanted.takes_three_pins = true;
   problem.topologies = read_topologies(document, tables, topologies(problem.mechanism), wanted);
   check_origin(tables.target, problem);
-  read_limits(tables.constraints, problem);
+  problem.constraints = read_chain_constraints(tables.constraints);
   read_chain_solve(tables.solve, problem.solve);
   problem.against =
       read_against(tables.solve, {.mechanism = problem.mechanism, .topologies = problem.topologies},

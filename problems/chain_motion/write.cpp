@@ -24,15 +24,6 @@ TableWriter target_writer(const ChainMotionProblem& problem) {
   return table;
 }
 
-TableWriter limits_writer(const ChainMotionProblem& problem) {
-  TableWriter table;
-  table.set_deg("transmission_angle_deg", problem.constraints.transmission_angle)
-      .set_name("over", problem.constraints.over)
-      .set("rms_error_max", problem.constraints.rms_error_max);
-  write_design_layers(problem.layers, table);
-  return table;
-}
-
 }  // namespace
 }  // namespace reading
 
@@ -41,12 +32,14 @@ reading::Written KindTraits<ChainMotionProblem>::written(const ChainMotionProble
   Written all;
   check_structure(problem.mechanism, problem.topologies, topologies(problem.mechanism), all.faults);
   check_one_demand(problem.topologies, all.faults);
+  TableWriter constraints = chain_constraints_writer(problem.constraints);
+  write_design_layers(problem.layers, constraints);
   all.document =
       document_writer(kWord, problem.title, problem.length_unit)
           .set("target", target_writer(problem))
           .set("mechanism", chain_mechanism_writer(problem.mechanism, problem.topologies))
           .set("bounds", chain_bounds_writer(problem.topologies))
-          .set("constraints", limits_writer(problem))
+          .set("constraints", constraints)
           .set("solve", chain_solve_writer(problem.solve, problem.against))
           .set("warnings", warnings_writer(problem.warnings))
           .append(layers_table(problem.layers))
@@ -57,12 +50,7 @@ reading::Written KindTraits<ChainMotionProblem>::written(const ChainMotionProble
 
 tl::expected<ChainMotionProblem, std::vector<std::string>> KindTraits<ChainMotionProblem>::checked(
     const ChainMotionProblem& problem) {
-  ChainMotionProblem complete = problem;
-  if (complete.topologies.empty()) complete.topologies = topologies(complete.mechanism);
-  const auto read = reading::read_back(complete);
-  if (!read) return tl::unexpected(read.error());
-  complete.topologies = read->topologies;
-  return complete;
+  return reading::checked_chain(problem, topologies(problem.mechanism));
 }
 
 }  // namespace cognate::problems

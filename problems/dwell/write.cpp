@@ -61,12 +61,7 @@ reading::Written KindTraits<DwellProblem>::written(const DwellProblem& problem) 
 
 tl::expected<DwellProblem, std::vector<std::string>> KindTraits<DwellProblem>::checked(
     const DwellProblem& problem) {
-  DwellProblem complete = problem;
-  if (complete.topologies.empty()) complete.topologies = function_topologies(complete.mechanism);
-  const auto read = reading::read_back(complete);
-  if (!read) return tl::unexpected(read.error());
-  complete.topologies = read->topologies;
-  return complete;
+  return reading::checked_chain(problem, function_topologies(problem.mechanism));
 }
 
 }  // namespace cognate::problems

@@ -16,11 +16,7 @@ reading::Written KindTraits<LegProblem>::written(const LegProblem& problem) {
   check_one_demand(problem.topologies, all.faults);
   TableWriter target, constraints;
   write_keys(problem.target, kLegTargetKeys, target);
-  if (problem.mechanism == kChainWord && problem.topologies.size() == 1) {
-    const Topology& topology = problem.topologies.front();
-    const auto foot = static_cast<std::size_t>(topology.trace);
-    if (foot < topology.lines.size()) target.set("point", topology.lines[foot].name);
-  }
+  write_traced(problem.mechanism, problem.topologies, target);
   constraints.set_deg("transmission_angle_deg", problem.constraints.transmission_angle);
   write_keys(problem.constraints, kLegConstraintKeys, constraints);
   TableWriter mechanism = chain_mechanism_writer(problem.mechanism, problem.topologies);
@@ -41,12 +37,7 @@ reading::Written KindTraits<LegProblem>::written(const LegProblem& problem) {
 
 tl::expected<LegProblem, std::vector<std::string>> KindTraits<LegProblem>::checked(
     const LegProblem& problem) {
-  LegProblem complete = problem;
-  if (complete.topologies.empty()) complete.topologies = leg_topologies(complete.mechanism);
-  const auto read = reading::read_back(complete);
-  if (!read) return tl::unexpected(read.error());
-  complete.topologies = read->topologies;
-  return complete;
+  return reading::checked_chain(problem, leg_topologies(problem.mechanism));
 }
 
 }  // namespace cognate::problems

@@ -35,9 +35,10 @@ function written(problem) {
   return given;
 }
 
-// What the program makes of a file: its result.
+// What the program makes of a file: its result. Several may be asked for at once.
+let files = 0;
 export async function analysed(text) {
-  const name = path.join(folder, "built.toml");
+  const name = path.join(folder, `built-${++files}.toml`);
   fs.writeFileSync(name, text);
   const { stdout } = await promisify(execFile)(process.env.COGNATE, ["analyze", "--json", name], { maxBuffer: 1 << 28 });
   return JSON.parse(stdout);

@@ -120,14 +120,12 @@ TEST(KnownChains, AreStartsOfASearch) {
     const Result found = solve(problem, run);
     ASSERT_FALSE(found.designs.empty());
     run.known = {found.designs.front()};
-    problem.solve.starts = 1;
-    run.seed = 77;
+    problem.solve.starts = 0;
     const Result again = solve(problem, run);
     ASSERT_FALSE(again.designs.empty());
     EXPECT_LE(again.designs.front().error.rms, found.designs.front().error.rms + 1e-9);
     run.known.clear();
-    const Result without = solve(problem, run);
-    EXPECT_TRUE(without.designs.empty() || without.designs.front().error.rms > 1e-6);
+    EXPECT_TRUE(solve(problem, run).designs.empty()) << "there is no start at all";
   }
 }
 

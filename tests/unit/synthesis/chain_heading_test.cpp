@@ -151,7 +151,7 @@ PlantedMotion planted(const Headed& headed_chain, int poses, bool timed) {
   fit.chain = headed_chain.chain;
   fit.trace = kTracedLine;
   fit.heading = headed_chain.line;
-  fit.angle_weight = 1.3;
+  fit.angle_weight = 8;  // a slope without it leads nowhere
   fit.closed = true;
   PosedChain<double> chain(headed_chain.chain, headed_chain.design);
   for (int j = 0; j < poses; ++j) {
