@@ -113,9 +113,14 @@ std::string text_under(const ordered_json& table, const char* key) {
 
 tl::expected<ResultDesign, std::string> parse_result_design(std::string_view text, int design,
                                                             const std::string& name) {
-  auto document = parse_result(text, name);
-  if (!document) return tl::unexpected(document.error());
-  auto designs = document->value("designs", ordered_json());
+  return parse_result(text, name).and_then([&](const ordered_json& document) {
+    return result_design(document, design, name);
+  });
+}
+
+tl::expected<ResultDesign, std::string> result_design(const ordered_json& document, int design,
+                                                      const std::string& name) {
+  auto designs = document.value("designs", ordered_json());
   if (!designs.is_array() || designs.empty()) {
     return refusal(name, "this result has no design; expected a result with a design");
   }
@@ -130,7 +135,7 @@ tl::expected<ResultDesign, std::string> parse_result_design(std::string_view tex
     return refusal(name,
                    fmt::format("designs[{}] has no mechanism with a type; expected one", index));
   }
-  return ResultDesign{document->value("problem", ordered_json()), std::move(wanted), design, name};
+  return ResultDesign{document.value("problem", ordered_json()), std::move(wanted), design, name};
 }
 
 tl::expected<ordered_json, std::string> read_result(const fs::path& file) {

@@ -49,4 +49,8 @@ nlohmann::ordered_json head_of(const ResultDesign& design, std::string_view kind
 tl::expected<ResultDesign, std::string> parse_result_design(std::string_view text, int design,
                                                             const std::string& name);
 
+/// The same of a document that has been read.
+tl::expected<ResultDesign, std::string> result_design(const nlohmann::ordered_json& document,
+                                                      int design, const std::string& name);
+
 }  // namespace cognate::app

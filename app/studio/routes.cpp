@@ -12,17 +12,20 @@
 #include "app/report/filled_page.hpp"
 #include "app/report/page.hpp"
 #include "app/studio/pages.hpp"
+#include "app/studio/taking.hpp"
 #include "app/studio/templates.hpp"
 #include "app/studio/token.hpp"
 
 namespace cognate::app {
 namespace {
 
-using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr std::chrono::seconds kLongestWait{20};
 constexpr const char* kFirstTemplate = "new/path-generation";
+
+/// What the pages on which one draws are told: that the studio takes their problems.
+const ordered_json kServed = {{"studio", true}};
 
 const char* phase_word(RunState::Phase phase) {
   using Phase = RunState::Phase;
@@ -59,7 +62,8 @@ ordered_json to_json(const RunState& state) {
           {"seconds", state.seconds},
           {"status", state.status},
           {"message", state.message},
-          {"report", state.report}};
+          {"report", state.report},
+          {"designs", state.designs}};
 }
 
 ordered_json to_json(const FileVersion& version) {
@@ -104,7 +108,7 @@ std::optional<std::uint64_t> number_in(const HttpRequest& request, const char* k
 
 StudioRoutes::StudioRoutes(std::string token, std::unique_ptr<EditedFile> file,
                            const Options& options)
-    : token_(std::move(token)), file_(std::move(file)), workbench_(options) {
+    : token_(std::move(token)), file_(std::move(file)), options_(options), workbench_(options) {
   workbench_.on_change([this] { note_change(); });
 }
 
@@ -156,21 +160,21 @@ HttpAnswer StudioRoutes::get(const HttpRequest& request) {
   }
   if (path == "/state") return state(request);
   if (path == "/template") return template_answer(request);
-  if (path == "/sketch") {
-    return page_answer(filled_page(sketch_page(), ordered_json::object(), ""));
-  }
+  if (path == "/sketch") return page_answer(filled_page(sketch_page(), kServed, ""));
+  if (path == "/mechanism") return page_answer(filled_page(build_page(), kServed, "mm"));
   if (path == "/file" && file_) return json_answer(200, to_json(file_->version()));
   const auto report = path == "/report" ? workbench_.report() : nullptr;
   return report && !report->empty() ? page_answer(*report) : no_page();
 }
 
 HttpAnswer StudioRoutes::post(const HttpRequest& request) {
-  const json body = json::parse(request.body, nullptr, false);
+  const auto body = ordered_json::parse(request.body, nullptr, false);
   if (!body.is_object()) return error_answer(400, "expected a JSON object");
   if (request.path == "/stop") {
     workbench_.stop();
     return json_answer(200, ordered_json::object());
   }
+  if (request.path == "/export") return exported_answer(body);
   const auto given = body.find("text");
   if (given == body.end() || !given->is_string()) {
     return error_answer(400, "text: expected a string");
@@ -196,6 +200,7 @@ HttpAnswer StudioRoutes::page() const {
                           : ordered_json{{"version", 0}, {"text", *template_text(kFirstTemplate)}};
   data["file"] = file_ ? ordered_json(file_->path().string()) : ordered_json();
   data["templates"] = std::move(templates_json);
+  data["taking"] = taking_choices();
   return page_answer(filled_page(studio_page(), data, ""));
 }
 
@@ -220,6 +225,13 @@ HttpAnswer StudioRoutes::state(const HttpRequest& request) {
 HttpAnswer StudioRoutes::solve(const std::string& text) {
   const auto run = workbench_.solve(text, folder());
   return run ? json_answer(200, {{"run", *run}}) : faults_answer(run.error());
+}
+
+HttpAnswer StudioRoutes::exported_answer(const ordered_json& asked) const {
+  const auto result = workbench_.result();
+  if (!result) return error_answer(404, "nothing has been solved yet");
+  const std::string stem = file_ ? file_->path().stem().string() : "problem";
+  return json_answer(200, taken(*result, asked, stem, options_));
 }
 
 HttpAnswer StudioRoutes::save(const std::string& text, std::uint64_t version) {

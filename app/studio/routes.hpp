@@ -19,6 +19,7 @@ namespace cognate::app {
 /// GET  /          the page
 ///      /report    that of the last result
 ///      /sketch    the page on which a curve is drawn
+///      /mechanism the page on which a mechanism is built
 ///      /state     how the computation and the file stand; with ?after=N once that is no longer
 ///                 change N, or after 20 s
 ///      /file      the last version of the file: text, version
@@ -26,6 +27,7 @@ namespace cognate::app {
 /// POST /check     {text}: what it asks for, or its faults
 ///      /solve     {text}: begins with it, and ends the run before; or its faults
 ///      /stop      {}: the run ends with what it has found
+///      /export    the options of `cognate export`: files of the last result, or faults
 ///      /save      {text, version}: 409 where the file has another version by now
 class StudioRoutes {
  public:
@@ -52,12 +54,14 @@ class StudioRoutes {
   HttpAnswer page() const;
   HttpAnswer state(const HttpRequest& request);
   HttpAnswer solve(const std::string& text);
+  HttpAnswer exported_answer(const nlohmann::ordered_json& asked) const;
   HttpAnswer save(const std::string& text, std::uint64_t version);
   std::filesystem::path folder() const;
   void note_change();
 
   const std::string token_;
   const std::unique_ptr<EditedFile> file_;
+  const Options options_;
 
   std::mutex mutex_;
   std::condition_variable changed_;

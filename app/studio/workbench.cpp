@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/commands/problem_text.hpp"
@@ -52,7 +51,10 @@ tl::expected<std::uint64_t, std::vector<problems::Fault>> Workbench::solve(
     number = state_.run + 1;
     job_ = std::make_shared<Job>(number, std::move(*computation));
     is_taken_ = false;
-    state_ = {.run = number, .phase = RunState::Phase::solving, .report = state_.report};
+    state_ = {.run = number,
+              .phase = RunState::Phase::solving,
+              .report = state_.report,
+              .designs = state_.designs};
     begun_ = Clock::now();
   }
   asked_.notify_all();
@@ -77,6 +79,11 @@ RunState Workbench::state() const {
 std::shared_ptr<const std::string> Workbench::report() const {
   const std::lock_guard lock(mutex_);
   return report_;
+}
+
+std::shared_ptr<const nlohmann::ordered_json> Workbench::result() const {
+  const std::lock_guard lock(mutex_);
+  return result_;
 }
 
 void Workbench::work() {
@@ -130,7 +137,7 @@ void Workbench::run(const std::shared_ptr<Job>& job) {
     const std::lock_guard lock(mutex_);
     if (closing_ || job_ != job) return;  // nobody waits for its page
   }
-  const auto document = job->computation.document();
+  auto document = job->computation.document();
   auto page = std::make_shared<const std::string>(document ? page_of(job->computation, *document)
                                                            : std::string());
   update(*job, [&] {
@@ -141,8 +148,11 @@ void Workbench::run(const std::shared_ptr<Job>& job) {
       state_.message = "a fault of Cognate's own: " + document.error();
       return;
     }
+    const auto designs = document->find("designs");
     state_.report = job->number;
+    state_.designs = designs == document->end() ? 0 : designs->size();
     report_ = std::move(page);
+    result_ = std::make_shared<const nlohmann::ordered_json>(std::move(*document));
   });
 }
 

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <thread>
@@ -30,7 +31,8 @@ struct RunState {
   double seconds = 0;
   std::string status{};      ///< of the result, once done
   std::string message{};     ///< why it failed
-  std::uint64_t report = 0;  ///< the run whose page there is; 0: none
+  std::uint64_t report = 0;  ///< the run whose result and page there are; 0: none
+  std::size_t designs = 0;   ///< of that result
 };
 
 /// Computes what texts ask for, one at a time: a new request ends the run before it, of which
@@ -55,6 +57,9 @@ class Workbench {
   /// The page of the last run that has one; empty where none has.
   std::shared_ptr<const std::string> report() const;
 
+  /// The document of that run; null where there is none.
+  std::shared_ptr<const nlohmann::ordered_json> result() const;
+
   /// Calls `changed` after every change of the state, from any thread.
   void on_change(std::function<void()> changed) { changed_ = std::move(changed); }
 
@@ -76,6 +81,7 @@ class Workbench {
   RunState state_;
   Clock::time_point begun_;
   std::shared_ptr<const std::string> report_;
+  std::shared_ptr<const nlohmann::ordered_json> result_;
   std::shared_ptr<Job> job_;  ///< the newest, running or waiting for the one before to end
   bool is_taken_ = true;      ///< whether that runs already
   bool closing_ = false;

@@ -17,14 +17,14 @@ class StudioAccess(Studios):
     def test_only_who_knows_the_token_gets_an_answer(self):
         studio = self.serve()
         wrong = "0" * 32
-        for path in ("/", "/state", "/report", "/sketch", "/file", "/template?name=new/cam", "/open",
+        for path in ("/", "/state", "/report", "/sketch", "/mechanism", "/file", "/template?name=new/cam", "/open",
                      "/open?invitation=", "/open?invitation=" + wrong):
             for token in (None, "", wrong, studio.token[:-1], studio.token + "0"):
                 with self.subTest(path=path, token=token):
                     status, _, text = studio.ask(path, X_Cognate_Token=token)
                     self.assertEqual(status, 403)
                     self.assertNotIn(studio.token, text)
-        for path in ("/check", "/solve", "/stop", "/save"):
+        for path in ("/check", "/solve", "/stop", "/save", "/export"):
             self.assertEqual(studio.status(path, {"text": "a", "version": 1}, X_Cognate_Token=None),
                              403)
         self.assertEqual(self.file.read_text(), SHORT)

@@ -140,3 +140,72 @@ test("without a file a template is the begin, and a download the end", async () 
     await sketch.locator("#hint").waitFor();
   });
 });
+
+// What is saved by a click on a button, by names.
+async function savedFiles(page, button, count) {
+  const downloads = [];
+  page.on("download", (one) => downloads.push(one));
+  await page.locator(button).click();
+  while (downloads.length < count) await page.waitForEvent("download");
+  return Object.fromEntries(await Promise.all(downloads.map(async (one) => [one.suggestedFilename(), fs.readFileSync(await one.path(), "utf8")])));
+}
+
+test("parts, tables and the report are taken along", async () => {
+  await visit(await serve(file), {}, async (page) => {
+    await verdict(page, /✓/);
+    assert.ok(!await page.locator("#taking").isVisible());
+    await page.locator("#solve").click();
+    await report(page).locator("h1").waitFor();
+    await page.locator("#taking summary").click();
+    // At first the linkage itself is seen.
+    await page.locator("#taking-picture").waitFor();
+    assert.ok(await page.locator("#take-design option").count() > 0);
+    const before = await page.locator("#taking-picture").getAttribute("src");
+    assert.ok(!await page.locator("[data-option=hole]").isVisible());
+    await page.locator("[data-option=parts]").check();
+    await page.locator("#taking-said .bad").waitFor();
+    for (const [option, value] of [["hole", "3"], ["width", "2"], ["thickness", "3"]]) await page.locator(`[data-option=${option}]`).fill(value);
+    await page.waitForFunction(() => /--width/.test(document.getElementById("taking-said").innerText));
+    assert.match(await page.locator("#taking-said").innerText(), /--width: 2 leaves nothing about a hole of 3/);
+    await page.locator("[data-option=width]").fill("8");
+    await page.waitForFunction((old) => document.getElementById("taking-picture").src !== old && !document.querySelector("#taking-said .bad"), before);
+    assert.match(decodeURIComponent(await page.locator("#taking-picture").getAttribute("src")), /class="outlines"/);
+    await page.locator("[data-option=bill]").check();
+    const files = await savedFiles(page, "#taking [data-take=save]", 2);
+    assert.deepEqual(Object.keys(files).toSorted(), ["rocker.bill.csv", "rocker.parts.dxf"]);
+    assert.match(files["rocker.parts.dxf"], /OUTLINES/);
+    assert.match(files["rocker.bill.csv"], /plate/);
+    for (const option of ["hole", "width", "thickness"]) await page.locator(`[data-option=${option}]`).fill("");
+    for (const option of ["bill", "parts"]) await page.locator(`[data-option=${option}]`).uncheck();
+    await page.locator("#take-format").selectOption("csv");
+    await page.locator("#taking-picture").waitFor({ state: "hidden" });
+    await page.locator("[data-option=steps]").fill("12");
+    const [table] = Object.values(await savedFiles(page, "#taking [data-take=save]", 1));
+    assert.equal(table.trim().split("\n").length, 14);
+    const kept = await savedFiles(page, "#taking [data-take=report]", 1);
+    assert.match(kept["rocker.report.html"], /cognate-result\/1/);
+    await assertFits(page);
+  });
+});
+
+for (const [name, steps, pattern] of [["sketch", async (page) => {
+  const box = await page.locator("#sheet").boundingBox(), at = (t) => [box.x + box.width * (0.5 + 0.15 * Math.cos(t)), box.y + box.height * (0.45 - 0.2 * Math.sin(t))];
+  await page.mouse.move(...at(0));
+  await page.mouse.down();
+  for (let i = 1; i <= 40; ++i) await page.mouse.move(...at((2 * Math.PI * i) / 40));
+  await page.mouse.up();
+}, /path generation/], ["mechanism", (page) => page.locator("[data-example=four_bar]").click(), /four-bar|analysis|mechanism/i]]) {
+  test(`what is drawn on the page ${name} goes to the studio`, async () => {
+    const address = await serve(file);
+    await visit(address.replace("/?", `/${name}?`), {}, async (page) => {
+      await steps(page);
+      await page.locator("[data-take=problem_to_studio]").click();
+      await verdict(page, /✓/);
+      assert.match(await page.locator("#verdict").textContent(), pattern);
+      assert.ok(await page.locator("#dirty").isVisible());
+      assert.equal(fs.readFileSync(file, "utf8"), PROBLEM);
+      await page.locator("#solve").click();
+      await report(page).locator("#picture").waitFor({ timeout: 60000 });
+    });
+  });
+}

@@ -87,12 +87,14 @@ export class Controls {
   }
 }
 
-// Lets the reader save `text` under the report's title and `ending`.
-export function saveText(title, ending, type, text) {
+// Lets the reader save `text` as a file.
+export function saveFile(name, type, text) {
   const url = URL.createObjectURL(new Blob([text], { type }));
-  const name = (title || "cognate").replace(/[^\w-]+/g, "-").slice(0, 60);
-  element("a", { href: url, download: `${name}.${ending}` }).click();
+  element("a", { href: url, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(url), 1000);
 }
+
+// The same under the report's title and `ending`.
+export const saveText = (title, ending, type, text) => saveFile(`${(title || "cognate").replace(/[^\w-]+/g, "-").slice(0, 60)}.${ending}`, type, text);
 
 export const saveResult = (result) => saveText(result.problem?.title, "result.json", "application/json", `${JSON.stringify(result, null, 2)}\n`);

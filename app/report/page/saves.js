@@ -1,4 +1,4 @@
-// What can be taken away of the picture: as it stands, as SVG that any program reads; and in motion, as
+// What can be taken away of the picture: as it stands, as SVG that any program reads, or for CAD; and in motion, as
 // a film that the browser records.
 
 import { saveText } from "./controls.js";
@@ -41,15 +41,21 @@ const asText = (drawing) => new XMLSerializer().serializeToString(drawing);
 const FILM = { seconds: 4, rate: 25, type: "video/webm", bits: 5e6 };
 
 export class Saves {
-  // `motion`: title() of the files; go(share), which moves to a share of the motion; back(), where it stood.
-  constructor(stage, frame, motion) {
-    Object.assign(this, { frame, motion });
+  // `motion`: title() of the files; go(share), which moves to a share of the motion; back(), where it stood. `drawing()` of
+  // pages that have one: a text for CAD, null while there is nothing to draw.
+  constructor(stage, frame, motion, drawing = null) {
+    Object.assign(this, { frame, motion, drawing });
     const button = (words, act) => { const made = element("button", { type: "button", class: "link", "data-save": words }, say(`save.${words}`)); made.addEventListener("click", () => act(made)); return made; };
     const films = typeof MediaRecorder !== "undefined" && MediaRecorder.isTypeSupported(FILM.type);
-    stage.append(element("p", { class: "saves muted" }, button("picture", () => this.picture()), ...(films ? [" · ", button("film", (made) => this.film(made))] : [])));
+    stage.append(element("p", { class: "saves muted" }, button("picture", () => this.picture()), ...(drawing ? [" · ", button("drawing", () => this.draw())] : []), ...(films ? [" · ", button("film", (made) => this.film(made))] : [])));
   }
 
   picture() { saveText(this.motion.title(), "svg", "image/svg+xml", `${asText(standalone(this.frame))}\n`); }
+
+  draw() {
+    const text = this.drawing();
+    if (text) saveText(this.motion.title(), "dxf", "image/vnd.dxf", text);
+  }
 
   // One revolution, or to and fro: all pictures first, however long they take, then as fast as they are seen.
   async film(button) {

@@ -44,7 +44,7 @@ listenToKeys();
 const zoom = new Zoom(byId("stage"), byId("picture"), () => scene, () => stage.draw(), false);
 const lists = new Lists({ state: () => desk.state, change: (next, why = "field") => desk.change(next, desk.chosen, why), chosen: () => desk.chosen, select: (one) => desk.select(one) });
 const results = new Results({ goTo: (to) => stage.goTo(to, true), tintOf: (link) => scene.tintOf(link) });
-const taken = new TakenText(byId("takings"), [["build.copy_problem", toml, null], ["build.save_problem", toml, "mechanism"], ["sketch.copy_link", () => location.href, null]], say("sketch.file"));
+const taken = new TakenText(byId("takings"), [["build.copy_problem", toml, null], ["build.save_problem", toml, "mechanism"], ["sketch.copy_link", () => location.href, null]], say("sketch.file"), toml);
 
 // The mechanism that the program has written into the page; null where the page cannot hold it, undefined where there is none.
 function givenState() {
@@ -207,7 +207,7 @@ function listen() {
     return button;
   }));
   new ResizeObserver(() => stage.draw()).observe(byId("picture"));
-  new Saves(byId("stage"), byId("picture"), { title: () => "mechanism", go: (share) => stage.film(share), back: () => stage.goTo(stage.start) });
+  new Saves(byId("stage"), byId("picture"), { title: () => "mechanism", go: (share) => stage.film(share), back: () => stage.goTo(stage.start) }, () => scene.drawing);
   addEventListener("hashchange", openAddress);
 }
 

@@ -8,6 +8,7 @@ import { arcPath, arrowPath, distanceToArc, groundSign, guideSign, pathWithGaps,
 import { boxOf, diagonal, View } from "../view.js";
 import { say } from "../words.js";
 import { spreadOf } from "./chain.js";
+import { drawingOfState } from "./drawing.js";
 import { FORCE_SCALE } from "./hits.js";
 import { linkShape, RIDER } from "./link_shapes.js";
 import { directionOf, driverOf, FRAME, isBlock, isFixed, jointsOn, loadNames, pinOf } from "./model.js";
@@ -176,7 +177,7 @@ export class BuildScene extends Picture {
   move(drive) {
     this.drive = drive;
     this.moves = drive === null || !this.motion ? null : this.motion.moves(drive);
-    const moveOf = (link) => (this.moves ? this.moves.get(link) ?? null : STILL_MOVE);
+    const moveOf = (link) => this.#moveOf(link);
     for (const { name, origin, part } of this.bodies) {
       const move = moveOf(name);
       part.toggleAttribute("hidden", !move);
@@ -188,6 +189,11 @@ export class BuildScene extends Picture {
     for (const pin of this.pins) this.#movePin(pin);
     for (const load of this.loads) if (load.way) this.#moveLoad(load); else this.#moveTorque(load, moveOf(load.on));
   }
+
+  #moveOf(link) { return this.moves ? this.moves.get(link) ?? null : STILL_MOVE; }
+
+  // All where it is now, for CAD.
+  get drawing() { return drawingOfState(this.state, { moveOf: (link) => this.#moveOf(link), at: this.at, paths: this.paths, railOf: (slider) => this.#rail(slider) }); }
 
   #placeOf(joint, moveOf) {
     if (isFixed(joint)) return joint.at;

@@ -17,6 +17,7 @@ import { Bringings } from "./bringings.js";
 import { differing, nearestTo, withoutNoise } from "./candidate.js";
 import { Cards, percent } from "./cards.js";
 import { clearCosts, costQuestions, showCost } from "./costs.js";
+import { drawingOf } from "./drawing.js";
 import { FrontPanel } from "./front_panel.js";
 import { onLayout } from "./layout.js";
 import { Leader } from "./leader.js";
@@ -320,7 +321,8 @@ function listen() {
   listenToKeys();
   new ResizeObserver(draw).observe(byId("picture"));
   new Zoom(byId("stage"), byId("picture"), () => scene, draw);
-  new Saves(byId("stage"), byId("picture"), { title: () => "sketch", go: (share) => goTo(filmed([0, 360, true], share), true), back: () => goTo(0) });
+  new Saves(byId("stage"), byId("picture"), { title: () => "sketch", go: (share) => goTo(filmed([0, 360, true], share), true), back: () => goTo(0) },
+    () => drawingOf(scene.candidates[scene.chosen], scene.phase, shown));
   new Bringings(byId("stage"), { curve: (line) => change({ ...MODES.curve.empty(shown), ...limits(), ...strokeTargets(line), stroke: true }), picture: (picture) => { scene.picture = picture; draw(); }, fault: announce });
   addEventListener("hashchange", openAddress);
   onLayout(layAnew);

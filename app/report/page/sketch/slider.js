@@ -2,16 +2,20 @@
 
 import { RADIANS } from "../sampling.js";
 
-const TRAVEL_STEPS = 90;
-
 export class SliderLinkage {
   // `mechanism`: pivot, crank, coupler, offset of the guide to the left of its direction, direction_deg, assembly, coupler_point.
   constructor(mechanism) {
     const angle = mechanism.direction_deg * RADIANS, along = [Math.cos(angle), Math.sin(angle)];
     Object.assign(this, { mechanism, along, across: [-along[1], along[0]], fullTurn: true, closure: { a: mechanism.pivot, d: null } });
-    const travels = Array.from({ length: TRAVEL_STEPS }, (_, i) => this.pose((2 * Math.PI * i) / TRAVEL_STEPS)?.travel).filter(Number.isFinite);
-    this.guide = travels.length ? [Math.min(...travels), Math.max(...travels)].map((travel) => this.#onGuide(travel)) : [];
-    this.stroke = travels.length ? Math.max(...travels) - Math.min(...travels) : 0;
+    const [near, far] = this.#ends(mechanism);
+    this.guide = far > near ? [near, far].map((travel) => this.#onGuide(travel)) : [];
+    this.stroke = far - near;
+  }
+
+  // The slider's travels where crank and rod lie in one line, the lesser first.
+  #ends({ crank, coupler, offset, assembly }) {
+    const ahead = assembly === "crossed" ? -1 : 1, travel = (reach) => ahead * Math.sqrt(Math.max(0, (reach - offset) * (reach + offset)));
+    return [travel(coupler - crank), travel(coupler + crank)].toSorted((p, q) => p - q);
   }
 
   // Also where the slider goes, whichever way along its guide counts.

@@ -28,7 +28,7 @@ export class Takings {
     this.present = present;
     const problem = () => this.problem, design = () => this.design;
     this.taken = new TakenText(byId("takings"), [["sketch.copy_problem", problem, null], ["sketch.save_problem", problem, "sketch"],
-      ["sketch.copy_design", design, null], ["sketch.save_design", design, "sketch-design"], ["sketch.copy_link", () => location.href, null]], say("sketch.file"));
+      ["sketch.copy_design", design, null], ["sketch.save_design", design, "sketch-design"], ["sketch.copy_link", () => location.href, null]], say("sketch.file"), problem);
   }
 
   get title() { return say(modeOf(this.present().state).title); }

@@ -6,16 +6,21 @@ import { byId, element } from "../dom.js";
 import { embedded } from "../embedded.js";
 import { duration, number, sentence } from "../format.js";
 import { knows, language, say, term } from "../words.js";
-import { addressWithToken, ask, TOKEN } from "./server.js";
+import { broughtText } from "./drawn.js";
+import { ask } from "./server.js";
+import { Taking } from "./taking.js";
 import { TextEditor } from "./text_editor.js";
+import { addressWithToken, TOKEN } from "./token.js";
 
 const CHECK_AFTER = 300;   // ms without a key
 const POLL_AFTER = 100;    // ms between two answers of the program while it solves
 const RETRY_AFTER = 2000;  // ms, of a program that does not answer
+const DRAWING_PAGES = ["sketch", "mechanism"];
 
 const DATA = JSON.parse(embedded("data"));
 const KEPT = `cognate-studio ${TOKEN}`;
 const editor = new TextEditor(edited);
+const taking = new Taking(DATA.taking, () => fileName().replace(/\.toml$/, "") || "problem");
 // The version of the file that is edited, and its text.
 let version = DATA.version, saved = DATA.text;
 let checks = 0, timer = 0, shownReport = 0, solving = false, sound = false;
@@ -88,6 +93,7 @@ function followRun(state) {
   if (phase === "done") showRun(`${say(knows(`status.${status}`) ? `status.${status}` : "status.done")} · ${time}`);
   if (phase === "failed") showRun(message);
   if (report !== shownReport) showReport(report);
+  taking.follow(state);
 }
 
 // The part of the run, and how long it still takes; where nobody knows, how long it has taken.
@@ -168,7 +174,7 @@ const titleIn = (text) => /^title *= *"([^"]*)"/m.exec(text)?.[1] || "problem";
 async function begin() {
   const name = byId("template").value;
   byId("template").value = "";
-  if (name === "sketch") { open(`${addressWithToken("/sketch")}#${language}`, "_blank", "noopener"); return; }
+  if (DRAWING_PAGES.includes(name)) { open(`${addressWithToken(`/${name}`)}#${language}`, "_blank", "noopener"); return; }
   const { status, body } = await ask(`/template?name=${encodeURIComponent(name)}`);
   if (status !== 200) return;
   const before = editor.text, wasDirty = isDirty();
@@ -199,7 +205,7 @@ function offerTemplates() {
   const kinds = DATA.templates.filter(({ name }) => name.startsWith("new/")), worked = DATA.templates.filter(({ name }) => !name.startsWith("new/"));
   const group = (words, list) => element("optgroup", { label: say(words) }, ...list.map(([value, text, attributes = {}]) => element("option", { value, ...attributes }, text)));
   byId("template").append(element("option", { value: "", disabled: "", selected: "" }, say("studio.begin")),
-    group("studio.kinds", [...kinds.map(({ name }) => [name, knows(`studio.kind.${kindOf(name)}`) ? say(`studio.kind.${kindOf(name)}`) : kindOf(name)]), ["sketch", say("studio.sketch")]]),
+    group("studio.kinds", [...kinds.map(({ name }) => [name, knows(`studio.kind.${kindOf(name)}`) ? say(`studio.kind.${kindOf(name)}`) : kindOf(name)]), ...DRAWING_PAGES.map((name) => [name, say(`studio.${name}`)])]),
     group("studio.worked", worked.map(({ name, title }) => [name, title || name, { lang: "en", title: name }])));
 }
 
@@ -255,5 +261,5 @@ if (!DATA.file) byId("save-text").textContent = say("studio.download");
 offerTemplates();
 followTheme(paintReport);
 listen();
-take(keptText());
+take(broughtText() ?? keptText());
 follow();

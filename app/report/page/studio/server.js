@@ -1,9 +1,6 @@
 // The program that serves this page.
 
-export const TOKEN = new URLSearchParams(location.search).get("token") ?? "";
-
-// The address of `path` for what cannot set a header.
-export const addressWithToken = (path) => `${path}${path.includes("?") ? "&" : "?"}token=${TOKEN}`;
+import { TOKEN } from "./token.js";
 
 // {status, body}; body.faults of a text that has some; status 0 where the program does not answer.
 export async function ask(path, body, signal) {
