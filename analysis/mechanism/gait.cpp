@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/mechanism/followed_motion.hpp"
 #include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
@@ -266,14 +267,19 @@ std::optional<Gait> gait(const FootPath& path, std::optional<double> duty) {
 
 std::optional<Gait> gait(const Mechanism<double>& mechanism, const Attached<double>& foot,
                          std::optional<double> duty) {
-  MechanismMotion<1> motion(mechanism);
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const FootPath path = [&](double crank) -> FootState {
-    if (!motion.move_to(crank)) return {{kNone, kNone}, {kNone, kNone}};
-    const auto at = motion.point(foot);
-    return {at[0], at[1]};
+  const bool follows = has_groups(mechanism);
+  const auto walk = [&](auto motion) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    const FootPath path = [&](double crank) -> FootState {
+      const double to = follows ? in_one_turn(crank) : crank;
+      if (!motion.move_to(to)) return {{kNone, kNone}, {kNone, kNone}};
+      const auto at = motion.point(foot);
+      return {at[0], at[1]};
+    };
+    return gait(path, duty);
   };
-  return gait(path, duty);
+  if (!follows) return walk(MechanismMotion<1>(mechanism));
+  return walk(FollowedMotion<1>(mechanism, follow(mechanism, 0, kTurn)));
 }
 
 }  // namespace cognate

@@ -4,6 +4,14 @@
 
 namespace cognate::problems {
 
+void watch(const ChainSpace& space, const std::vector<TransmissionCheck>& fresh,
+           std::vector<TransmissionCheck>& watched) {
+  watched.insert(watched.end(), fresh.begin(), fresh.end());
+  if (!has_three_pin_link(*space.topology)) return;
+  std::ranges::stable_sort(watched, {},
+                           [](const TransmissionCheck& check) { return in_one_turn(check.crank); });
+}
+
 void transmission_constraints(FreeChain& chain, double limit,
                               std::span<const TransmissionCheck> checks, std::size_t columns,
                               std::span<double> c, std::span<double> jacobian,

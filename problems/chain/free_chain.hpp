@@ -126,6 +126,11 @@ struct CheckTurn {
   double angle;        ///< by which they have turned
 };
 
+/// Adds `fresh` to the checks that are watched. Those of three-pin links stand in the order of the
+/// crank, along which such links are led.
+void watch(const ChainSpace& space, const std::vector<TransmissionCheck>& fresh,
+           std::vector<TransmissionCheck>& watched);
+
 /// Two constraints for each check: limit ∓ cos μ ≥ 0, of |cos μ|. Their rows of `jacobian`, where
 /// it is not empty, have `columns` entries, the free parameters first. A dyad that does not close
 /// violates.

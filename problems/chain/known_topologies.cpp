@@ -118,7 +118,9 @@ constexpr TopologyRow kFunctionTopologies[] = {{"stephenson-3", {kFourBar, kStep
                                                {"watt-2", {kFourBar, kSecondFourBar}},
                                                {kSliderCrankWord, {kSliderCrank}},
                                                {"stephenson-3-slider", {kFourBar, kCouplerSlider}},
-                                               {"watt-2-slider", {kFourBar, kRockerSlider}}};
+                                               {"watt-2-slider", {kFourBar, kRockerSlider}},
+                                               {"three-pin-1", {kThreePinsOnFrame}},
+                                               {"three-pin-2", {kThreePinsOnCrank}}};
 
 constexpr TopologyRow kLegTopologies[] = {{"klann", {kKlann}}, {"jansen", {kJansen}}};
 
@@ -150,7 +152,14 @@ constexpr TopologyWord kFunctionWords[] = {
     {kSliderCrankWord, "slider-crank, its slider C the output"},
     {"stephenson-3-slider", "four-bar whose coupler drives the slider F, the output"},
     {"watt-2-slider", "four-bar whose rocker drives the slider F, the output"},
-    {"six-bar-slider", "whichever of these two comes nearest"}};
+    {"six-bar-slider", "whichever of these two comes nearest"},
+    {"three-pin-1",
+     "link with three pins on two rockers and a link from the crank, the output one of the rockers "
+     "(Stephenson III, driven in its five-bar loop)"},
+    {"three-pin-2",
+     "link with three pins on two links from the crank and the output "
+     "(Stephenson I, driven in its five-bar loop)"},
+    {"three-pin", "whichever of these two comes nearest"}};
 
 constexpr TopologyWord kLegWords[] = {
     {"klann", "Klann's leg, a Stephenson III six-bar"},
@@ -219,8 +228,7 @@ bool ends_in_slider(const Topology& topology) {
 
 std::vector<Topology> leg_topologies(std::string_view word) {
   auto own = topologies_of(word, kLegWords, kLegTopologies);
-  if (own.empty()) own = topologies(word);
-  return own.empty() || has_three_pin_link(own.front()) ? std::vector<Topology>{} : own;
+  return own.empty() ? topologies(word) : own;
 }
 
 std::span<const TopologyWord> leg_topology_words() {

@@ -61,7 +61,7 @@ RefinedChain refine(const ScaledChain& problem, const synthesis::ChainDesign& de
   std::vector<TransmissionCheck> checks;
   double margin = 0;
   for (int exchange = 0; exchange < kMostExchanges; ++exchange) {
-    checks.insert(checks.end(), extremes.begin(), extremes.end());
+    watch(problem, extremes, checks);
     const ChainPathModel model(problem, here.design, here.angles, here.at, checks, margin);
     const auto start = model.start();
     const synthesis::Solution solution = synthesis::solve(solver, model, start, options);

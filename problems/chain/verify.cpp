@@ -7,12 +7,11 @@
 #include <limits>
 #include <optional>
 
-#include "analysis/mechanism/followed_motion.hpp"
-#include "analysis/mechanism/kinematics.hpp"
 #include "analysis/mechanism/transmission_extremes.hpp"
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/degrees.hpp"
+#include "problems/chain/crank_motion.hpp"
 #include "problems/chain/three_pin/transmission.hpp"
 #include "problems/linkage/error_limit.hpp"
 #include "problems/linkage/placement.hpp"
@@ -30,33 +29,21 @@ Attached<double> traced_point(const NamedMechanism& mechanism, const std::string
   return found->at;
 }
 
-template <class Motion>
-TargetError target_error(const ChainPathProblem& problem, Motion& motion,
-                         const Attached<double>& point, const std::vector<double>& angles,
+TargetError target_error(const ChainPathProblem& problem, const Topology& topology,
+                         const NamedMechanism& mechanism, const std::vector<double>& angles,
                          const CurvePlacement& placement) {
+  const auto point =
+      traced_point(mechanism, topology.lines[static_cast<std::size_t>(topology.trace)].name);
+  CrankMotion motion(mechanism.mechanism);
   TargetError error;
   for (std::size_t j = 0; j < angles.size(); ++j) {
     if (!motion.move_to(angles[j])) return {kNoError, kNoError, kNoError};
-    const double distance = norm(placement.point_back(motion.point(point)[0]) - problem.points[j]);
+    const double distance = norm(placement.point_back(motion.point(point)) - problem.points[j]);
     error.sum_of_squares += distance * distance;
     error.max = std::max(error.max, distance);
   }
   error.rms = std::sqrt(error.sum_of_squares / double(angles.size()));
   return error;
-}
-
-TargetError target_error(const ChainPathProblem& problem, const Topology& topology,
-                         const NamedMechanism& mechanism, const AssemblyRanges& limited,
-                         std::vector<double> angles, const CurvePlacement& placement) {
-  const auto point =
-      traced_point(mechanism, topology.lines[static_cast<std::size_t>(topology.trace)].name);
-  if (!has_three_pin_link(topology)) {
-    MechanismMotion<0> motion(mechanism.mechanism);
-    return target_error(problem, motion, point, angles, placement);
-  }
-  FollowedMotion<0> motion(mechanism.mechanism, limited);  // over the whole turn
-  for (double& angle : angles) angle = in_one_turn(angle);
-  return target_error(problem, motion, point, angles, placement);
 }
 
 /// The part of the crank's turn over which limits hold.
@@ -78,18 +65,10 @@ bool in_order(const std::vector<double>& angles) {
   return (least >= -kSameAngle || greatest <= kSameAngle) && whole <= kTurn + kSameAngle;
 }
 
-void note_circuit(bool whole, Design& design) {
-  if (!whole) design.metrics.defects.push_back(Defect::circuit);
-  design.constraints.push_back(
-      {"no_circuit_defect", std::string(whole ? "none" : "circuit"), std::string("none"), whole});
-}
-
 void check_defects(const ChainPathProblem& problem, const Topology& topology,
                    const NamedMechanism& mechanism, const AssemblyRanges& motion, bool ordered,
                    Design& design) {
-  const bool returns =
-      !has_three_pin_link(topology) || returns_after_turn(mechanism.mechanism, motion);
-  note_circuit(motion.runs.size() == 1 && motion.points.empty() && returns, design);
+  check_circuit(topology, mechanism, motion, design);
   if (!ordered) design.metrics.defects.push_back(Defect::order);
   if (problem.crank_angles.empty()) {
     design.constraints.push_back(
@@ -155,16 +134,22 @@ void check_transmission(const Range& limit, Design& design) {
                                 std::max(below, above) <= kCheckTolerance});
 }
 
-void check_circuit(const AssemblyRanges& motion, Design& design) {
-  note_circuit(motion.runs.size() == 1 && motion.points.empty(), design);
+void check_circuit(const Topology& topology, const NamedMechanism& mechanism,
+                   const AssemblyRanges& motion, Design& design) {
+  const bool returns =
+      !has_three_pin_link(topology) || returns_after_turn(mechanism.mechanism, motion);
+  const bool whole = motion.runs.size() == 1 && motion.points.empty() && returns;
+  if (!whole) design.metrics.defects.push_back(Defect::circuit);
+  design.constraints.push_back(
+      {"no_circuit_defect", std::string(whole ? "none" : "circuit"), std::string("none"), whole});
 }
 
 Design verified(const ChainPathProblem& problem, const Topology& topology, NamedMechanism mechanism,
                 const std::vector<double>& angles, const std::optional<CurvePlacement>& placement) {
   Design design;
   const AssemblyRanges motion = limited_motion(problem, mechanism, angles);
-  design.error = target_error(problem, topology, mechanism, motion, angles,
-                              placement.value_or(CurvePlacement{}));
+  design.error =
+      target_error(problem, topology, mechanism, angles, placement.value_or(CurvePlacement{}));
   design.placement = placement;
   design.metrics.quantities.push_back({"topology", topology.name});
   if (placement) {

@@ -29,7 +29,9 @@ void measure_transmission(const Topology& topology, const NamedMechanism& mechan
 /// The check of a limit in radians against these extremes; none where it limits nothing.
 void check_transmission(const Range& limit, Design& design);
 
-/// Whether the chain is assembled all along `motion`.
-void check_circuit(const AssemblyRanges& motion, Design& design);
+/// Whether the chain is assembled all along `motion`, over a turn of a three-pin link back to where
+/// it began.
+void check_circuit(const Topology& topology, const NamedMechanism& mechanism,
+                   const AssemblyRanges& motion, Design& design);
 
 }  // namespace cognate::problems

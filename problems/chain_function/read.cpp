@@ -1,13 +1,11 @@
-#include "problems/layers/read.hpp"
-
 #include "problems/chain/front/read.hpp"
+
 #include "problems/chain/read_design.hpp"
-#include "problems/chain/read_tolerances.hpp"
+#include "problems/chain/read_made.hpp"
 #include "problems/chain_function/given.hpp"
 #include "problems/chain_function/verify.hpp"
 #include "problems/function/read_goal.hpp"
 #include "problems/function/read_target.hpp"
-#include "problems/linkage/design_layers.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/search/read_objectives.hpp"
 
@@ -77,14 +75,16 @@ void read_goal(TableReader& target, TableReader& solve, ChainFunctionProblem& pr
 
 Wanted wanted_output(const ChainFunctionProblem& problem) {
   const auto& [from, to] = problem.output;
-  if (slides(problem)) return {kOutput, {to}, true};
-  return {kOutput, {from, to}};
+  if (slides(problem)) return {kOutput, {to}, true, true};
+  return {kOutput, {from, to}, false, true};
 }
 
 void read_constraints(TableReader& table, ChainFunctionProblem& problem) {
   auto& limits = problem.constraints;
   limits.transmission_angle = read_chain_transmission(table).value_or(limits.transmission_angle);
-  limits.over = table.choice<LimitSpan>("over").value_or(limits.over);
+  // The crank of a mechanism with a three-pin link turns fully.
+  const bool turns = std::ranges::any_of(problem.topologies, has_three_pin_link);
+  limits.over = table.choice<LimitSpan>("over").value_or(turns ? LimitSpan::turn : limits.over);
   limits.error = read_error_limit(table, error_measure(problem));
   refuse_four_bar_limits(table, "transmission_angle_deg, over and a limit of the error");
 }
@@ -129,10 +129,8 @@ ChainFunctionProblem KindTraits<ChainFunctionProblem>::read(
                                   .has_sizes = slides(problem),
                                   .is_given = is_given(problem)},
                                  problem.solve);
-  problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies),
-                                      problem.against ? kNoLayersOfFronts : std::string_view{});
-  problem.tolerances =
-      read_chain_tolerances(document, problem.topologies, slides(problem) ? "length" : "deg");
+  read_made(document, tables, slides(problem) ? "length" : "deg", problem.constraints.over,
+            problem);
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
     table->finish();

@@ -7,6 +7,7 @@
 #include "problems/chain/cosine_scan.hpp"
 #include "problems/chain/hopping_explorer.hpp"
 #include "problems/chain_function/starts.hpp"
+#include "synthesis/chain/drawn.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {
@@ -59,7 +60,7 @@ FittedFunction fitted(const ChainFunctionSpace& space, const ChainFunctionDesign
     double violation = 0;
     const auto extremes =
         CosineScan(space, here.design.chain).extremes(space.span(here.design.start), violation);
-    watched.insert(watched.end(), extremes.begin(), extremes.end());
+    problems::watch(space, extremes, watched);
     return violation;
   };
   watch();
@@ -69,6 +70,7 @@ FittedFunction fitted(const ChainFunctionSpace& space, const ChainFunctionDesign
     if (solution.stop == synthesis::Stop::no_value || !std::isfinite(solution.objective)) break;
     const double before = here.design.start;
     here.design = model.design(solution.x);
+    synthesis::draw_anew(space.lines, {1, 0}, here.design.chain);
     for (TransmissionCheck& check : watched) check.crank += here.design.start - before;
     here.error = how.objective == Objective::max_abs
                      ? solution.objective

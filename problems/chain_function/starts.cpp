@@ -176,15 +176,31 @@ class FunctionDraw {
   }
 
   void draw_whole() {
+    if (has_three_pin_link(*space_.topology)) return draw_over_turn();
     constexpr int kWholeChains = 200;
     for (int i = 0; i < kWholeChains; ++i) {
       const double start = uniform(random_, 0, kTurn);
       const Positions positions(space_, start);
       const auto drawn = draw(space_, positions.cranks(), random_);
-      if (!drawn) continue;
-      const ChainFunctionDesign design{drawn->design, start};
-      take(design, error_of(design));
+      if (drawn) begin_at(drawn->design, start);
     }
+  }
+
+  /// A three-pin link is led over the whole turn, so that each chain is tried from many starts.
+  void draw_over_turn() {
+    constexpr int kDraws = 60, kStarts = 12;
+    for (int i = 0; i < kDraws; ++i) {
+      const auto drawn = draw(space_, random_);
+      const double first = uniform(random_, 0, kTurn);
+      for (int k = 0; drawn && k < kStarts; ++k) {
+        begin_at(drawn->design, first + kTurn * k / kStarts);
+      }
+    }
+  }
+
+  void begin_at(const synthesis::ChainDesign& chain, double start) {
+    const ChainFunctionDesign design{chain, start};
+    take(design, error_of(design));
   }
 
   double error_of(const ChainFunctionDesign& design) const {

@@ -78,9 +78,9 @@ ChainFunctionError::ChainFunctionError(const ChainFunctionProblem& problem,
 
 std::optional<double> ChainFunctionError::output(double input) const {
   if (!motion_.move_to(start_ + input)) return std::nullopt;
-  const Vec2d to = motion_.point(points_[1])[0];
+  const Vec2d to = motion_.point(points_[1]);
   if (guide_) return dot(guide_->direction, to - guide_->through);
-  return angle_of(to - motion_.point(points_[0])[0]);
+  return angle_of(to - motion_.point(points_[0]));
 }
 
 double ChainFunctionError::at(const AnglePair& pair) const {
@@ -110,7 +110,7 @@ Design verified(const ChainFunctionProblem& problem, const FunctionSamples& want
   const AssemblyRanges motion = limited_motion(problem, wanted, mechanism, start);
   measure_transmission(topology, mechanism, motion, design.metrics);
   check_transmission(problem.constraints.transmission_angle, design);
-  check_circuit(motion, design);
+  check_circuit(topology, mechanism, motion, design);
   check_error(problem, design);
   for (const AnglePair& pair : wanted.samples) {
     design.crank_angles.push_back(in_one_turn(start + pair.input));

@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "analysis/mechanism/kinematics.hpp"
+#include "problems/chain/crank_motion.hpp"
 #include "problems/chain_function/problem.hpp"
 #include "problems/function/samples.hpp"
 #include "problems/linkage/result.hpp"
@@ -34,7 +34,7 @@ class ChainFunctionError {
   std::optional<double> output(double input) const;
 
   double start_;
-  mutable MechanismMotion<0> motion_;
+  mutable CrankMotion motion_;
   std::optional<Guide<double>> guide_;        ///< of a slider
   std::array<Attached<double>, 2> points_{};  ///< of a slider the second alone: its pin
   double level_ = 0;                          ///< the output at the start

@@ -1,4 +1,4 @@
-#include "problems/layers/read.hpp"
+#include "problems/chain/front/read.hpp"
 
 #include <fmt/core.h>
 
@@ -6,13 +6,11 @@
 #include <cmath>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/chain/front/read.hpp"
 #include "problems/chain/read_design.hpp"
+#include "problems/chain/read_made.hpp"
 #include "problems/chain/read_target.hpp"
-#include "problems/chain/read_tolerances.hpp"
 #include "problems/chain_motion/problem.hpp"
 #include "problems/guidance/read_poses.hpp"
-#include "problems/linkage/design_layers.hpp"
 #include "problems/linkage/read_constraints.hpp"
 #include "problems/linkage/warnings.hpp"
 #include "problems/mechanism/named_mechanism.hpp"
@@ -115,15 +113,6 @@ void check_origin(TableReader& target, const ChainMotionProblem& problem) {
   }
 }
 
-void read_parts_made(TableReader& document, LinkageTables& tables, ChainMotionProblem& problem) {
-  if (std::ranges::any_of(problem.topologies, has_three_pin_link)) {
-    return refuse_with_three_pins(document, tables, problem.constraints.over);
-  }
-  problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies),
-                                      problem.against ? kNoLayersOfFronts : std::string_view{});
-  problem.tolerances = read_chain_tolerances(document, problem.topologies, "length");
-}
-
 }  // namespace
 }  // namespace reading
 
@@ -156,7 +145,7 @@ ChainMotionProblem KindTraits<ChainMotionProblem>::read(reading::TableReader& do
   problem.against =
       read_against(tables.solve, {.mechanism = problem.mechanism, .topologies = problem.topologies},
                    problem.solve);
-  read_parts_made(document, tables, problem);
+  read_made(document, tables, "length", problem.constraints.over, problem);
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
     table->finish();

@@ -6,11 +6,10 @@
 #include <span>
 #include <utility>
 
-#include "analysis/mechanism/followed_motion.hpp"
-#include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/basics/degrees.hpp"
+#include "problems/chain/crank_motion.hpp"
 #include "problems/chain/minima_designs.hpp"
 #include "problems/chain/places.hpp"
 #include "problems/chain/verify.hpp"
@@ -32,7 +31,7 @@ template <class Motion>
 Pose pose_of(const BodyInLink& body, const Motion& motion) {
   const auto& [link, own] = body;
   const Vec2d axis = motion.bodies()[static_cast<std::size_t>(link)].direction;
-  return {motion.point({link, own.at})[0], angle_of(axis * unit_vector(own.angle))};
+  return {motion.point({link, own.at}), angle_of(axis * unit_vector(own.angle))};
 }
 
 /// `design` has the heading's parameter after those of the topology.
@@ -50,9 +49,9 @@ struct Misses {
 };
 
 /// Up to the first pose that is not reached.
-template <class Motion>
-Misses misses(Motion& motion, const BodyInLink& body, std::span<const Pose> poses,
+Misses misses(const NamedMechanism& mechanism, const BodyInLink& body, std::span<const Pose> poses,
               std::span<const double> cranks) {
+  CrankMotion motion(mechanism.mechanism);
   Misses all;
   for (std::size_t j = 0; j < poses.size(); ++j) {
     if (!motion.move_to(cranks[j])) break;
@@ -61,17 +60,6 @@ Misses misses(Motion& motion, const BodyInLink& body, std::span<const Pose> pose
     all.angle.push_back(std::abs(std::remainder(reached.angle - poses[j].angle, kTurn)));
   }
   return all;
-}
-
-Misses misses(const Topology& topology, const NamedMechanism& mechanism, const BodyInLink& body,
-              std::span<const Pose> poses, std::vector<double> cranks) {
-  if (!has_three_pin_link(topology)) {
-    MechanismMotion<0> motion(mechanism.mechanism);
-    return misses(motion, body, poses, cranks);
-  }
-  for (double& crank : cranks) crank = in_one_turn(crank);
-  FollowedMotion<0> motion(mechanism.mechanism, follow(mechanism.mechanism, 0, kTurn));
-  return misses(motion, body, poses, cranks);
 }
 
 void take_errors(const Misses& missed, double weight, Design& design) {
@@ -122,7 +110,7 @@ Design verified(const ChainMotionProblem& problem, const ChainMinimum& found) {
   const std::vector<double> cranks = angles_of_targets(found);
   Design design = verified(path_of(problem), topology, named(topology, own), cranks);
   const BodyInLink body = body_in_link(topology, own);
-  const Misses missed = misses(topology, design.mechanism, body, problem.poses, cranks);
+  const Misses missed = misses(design.mechanism, body, problem.poses, cranks);
   if (missed.place.size() < problem.poses.size()) {
     design.error.sum_of_squares = std::numeric_limits<double>::infinity();
     return design;

@@ -1,4 +1,4 @@
-#include "problems/layers/read.hpp"
+#include "problems/chain/front/read.hpp"
 
 #include <fmt/core.h>
 
@@ -6,12 +6,10 @@
 #include <cmath>
 
 #include "analysis/numbers/constants.hpp"
-#include "problems/chain/front/read.hpp"
 #include "problems/chain/read_design.hpp"
-#include "problems/chain/read_tolerances.hpp"
+#include "problems/chain/read_made.hpp"
 #include "problems/dwell/given.hpp"
 #include "problems/dwell/raster.hpp"
-#include "problems/linkage/design_layers.hpp"
 #include "problems/linkage/warnings.hpp"
 
 namespace cognate::problems {
@@ -115,8 +113,8 @@ void read_dwell_target(TableReader& target, DwellProblem& problem) {
 
 Wanted wanted_output(const DwellProblem& problem) {
   const auto& [from, to] = problem.output;
-  if (slides(problem)) return {kOutput, {to}, true};
-  return {kOutput, {from, to}};
+  if (slides(problem)) return {kOutput, {to}, true, true};
+  return {kOutput, {from, to}, false, true};
 }
 
 void read_dwell_constraints(TableReader& constraints, DwellConstraints& limits) {
@@ -154,7 +152,9 @@ DwellProblem KindTraits<DwellProblem>::read(reading::TableReader& document,
   problem.topologies = read_topologies(document, tables, known, wanted_output(problem));
   read_dwell_constraints(tables.constraints, problem.constraints);
   read_chain_solve(tables.solve, problem.solve);
-  read_dwell_raster(document, problem);
+  if (std::ranges::none_of(problem.topologies, has_three_pin_link)) {
+    read_dwell_raster(document, problem);
+  }
   problem.against =
       read_against(tables.solve,
                    {.mechanism = problem.mechanism,
@@ -164,10 +164,7 @@ DwellProblem KindTraits<DwellProblem>::read(reading::TableReader& document,
                     .is_given = is_given(problem),
                     .refusal = problem.raster ? "is given with a raster; remove one of them" : ""},
                    problem.solve);
-  problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies),
-                                      problem.against ? kNoLayersOfFronts : std::string_view{});
-  problem.tolerances =
-      read_chain_tolerances(document, problem.topologies, slides(problem) ? "length" : "deg");
+  read_made(document, tables, slides(problem) ? "length" : "deg", LimitSpan::turn, problem);
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
     table->finish();

@@ -11,6 +11,7 @@
 #include "problems/chain/cosine_scan.hpp"
 #include "problems/chain/hopping_explorer.hpp"
 #include "problems/dwell/starts.hpp"
+#include "synthesis/chain/drawn.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {
@@ -133,7 +134,8 @@ Fitted fitted(const DwellSpace& space, const DwellDesign& start, const Fitting& 
   here.design = start;
   double violation = 0;
   DwellChecks checks = checks_of(space, start, violation);
-  std::vector<TransmissionCheck> watched = checks.transmission;
+  std::vector<TransmissionCheck> watched;
+  watch(space, checks.transmission, watched);
   double apart = space.apart.value_or(0);
   double unit = 0.01;
   for (int exchange = 0; exchange < how.exchanges; ++exchange) {
@@ -143,6 +145,7 @@ Fitted fitted(const DwellSpace& space, const DwellDesign& start, const Fitting& 
     const synthesis::Solution solution = how.minimum(model, work);
     if (solution.stop == synthesis::Stop::no_value || !std::isfinite(solution.objective)) break;
     here.design = model.design(solution.x);
+    synthesis::draw_anew(space.lines, {1, 0}, here.design.chain);
     here.half_band = solution.objective * unit;
     unit = std::max(here.half_band, 1e-9);
     checks = checks_of(space, here.design, violation);
@@ -150,7 +153,7 @@ Fitted fitted(const DwellSpace& space, const DwellDesign& start, const Fitting& 
     apart += missing;
     here.violation = std::max({violation, solution.violation, missing});
     if (here.violation <= kDwellFeasibility && exchange > 0) break;
-    watched.insert(watched.end(), checks.transmission.begin(), checks.transmission.end());
+    watch(space, checks.transmission, watched);
   }
   return here;
 }

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/mechanism/kinematics.hpp"
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/golden_section.hpp"
 #include "problems/basics/degrees.hpp"
+#include "problems/chain/crank_motion.hpp"
 #include "problems/chain/verify.hpp"
 #include "problems/dwell/space.hpp"
 #include "problems/linkage/verify.hpp"
@@ -66,9 +66,9 @@ class Output {
   /// The direction of the output; of a slider its displacement as x.
   Vec2d way_at(double crank) {
     if (!motion_.move_to(crank)) return {std::numeric_limits<double>::quiet_NaN(), 0};
-    const Vec2d to = motion_.point(points_[1])[0];
+    const Vec2d to = motion_.point(points_[1]);
     if (guide_) return {dot(guide_->direction, to - guide_->through), 0};
-    return to - motion_.point(points_[0])[0];
+    return to - motion_.point(points_[0]);
   }
 
  private:
@@ -103,7 +103,7 @@ class Output {
     return here + std::max(0.0, -found.least());
   }
 
-  MechanismMotion<0> motion_;
+  CrankMotion motion_;
   std::array<Attached<double>, 2> points_{};  ///< of a slider the second alone: its pin
   std::optional<Guide<double>> guide_;        ///< of a slider
   std::vector<double> crank_, output_;
@@ -191,7 +191,7 @@ Design verified(const DwellProblem& problem, const Topology& topology, NamedMech
   const AssemblyRanges motion = follow(mechanism.mechanism, 0, kTurn);
   measure_transmission(topology, mechanism, motion, design.metrics);
   check_transmission(problem.constraints.transmission_angle, design);
-  check_circuit(motion, design);
+  check_circuit(topology, mechanism, motion, design);
   design.mechanism = std::move(mechanism);
   return design;
 }

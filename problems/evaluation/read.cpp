@@ -137,14 +137,13 @@ void check_coupler_curve(TableReader& output, TableReader& mechanism,
 }
 
 /// What is computed of drives and dyads alone.
-void check_groups(TableReader& document, TableReader& output, const AnalysisProblem& problem) {
+void check_groups(TableReader& document, const AnalysisProblem& problem) {
   if (!has_groups(problem.mechanism.mechanism)) return;
   constexpr std::string_view kRefusal =
       "is not computed of mechanisms with a group of more than two links; expected dyads alone";
   for (const std::string_view key : {"tolerance", "layers"}) {
     if (document.contains(key)) document.fault(key, kRefusal);
   }
-  if (problem.output.foot) output.fault("foot", kRefusal);
 }
 
 }  // namespace
@@ -176,7 +175,7 @@ AnalysisProblem KindTraits<AnalysisProblem>::read(reading::TableReader& document
   problem.output = read_output(output, read.names, has_forces(problem), slides);
   problem.mechanism = std::move(read.mechanism);
   check_coupler_curve(output, mechanism, problem);
-  check_groups(document, output, problem);
+  check_groups(document, problem);
   if (document.faults().size() == 0) {
     problem.tolerances = read_tolerances(document, problem.mechanism);
     problem.layers = read_layers(document, problem.mechanism);

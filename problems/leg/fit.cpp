@@ -6,6 +6,7 @@
 #include "analysis/numbers/constants.hpp"
 #include "problems/leg/checks.hpp"
 #include "problems/leg/starts.hpp"
+#include "synthesis/chain/drawn.hpp"
 #include "synthesis/optimise/solver.hpp"
 
 namespace cognate::problems {
@@ -15,7 +16,7 @@ namespace {
 constexpr double kClose = 1e-3;
 
 /// Adds what was watched before to the extremes of now, but for what is close to one of them.
-void watch(const LegChecks& before, LegChecks& now) {
+void watch(const LegSpace& space, const LegChecks& before, LegChecks& now) {
   const auto add = [](auto& all, const auto& more, const auto& distance) {
     const std::size_t count = all.size();
     for (const auto& one : more) {
@@ -30,6 +31,7 @@ void watch(const LegChecks& before, LegChecks& now) {
       [](const TransmissionCheck& a, const TransmissionCheck& b) {
         return a.joint == b.joint ? std::abs(a.crank - b.crank) : kNoFit;
       });
+  problems::watch(space, {}, now.transmission);
   add(now.swing, before.swing, apart);
   add(now.slow, before.slow, apart);
   add(now.fast, before.fast, apart);
@@ -59,6 +61,7 @@ FittedLeg fitted_leg(const LegSpace& space, const LegDesign& start, LegObjective
     work.count(solution);
     if (solution.stop == synthesis::Stop::no_value || !std::isfinite(solution.objective)) break;
     here.design = model.design(solution.x);
+    synthesis::draw_anew(space.lines, {1, 0}, here.design.chain);
     here.objective = solution.objective * (finds_span ? 1 : unit);
     if (!finds_span) unit = std::max(here.objective, 1e-9);
     LegChecks fresh = leg_checks(space, here.design, violation);
@@ -74,7 +77,7 @@ FittedLeg fitted_leg(const LegSpace& space, const LegDesign& start, LegObjective
       if (here.objective < best.objective) best = here;
       if (stays) break;
     }
-    watch(checks, fresh);
+    watch(space, checks, fresh);
     checks = std::move(fresh);
   }
   return std::isfinite(best.objective) ? best : here;

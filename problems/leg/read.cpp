@@ -1,14 +1,12 @@
-#include "problems/layers/read.hpp"
+#include "problems/chain/front/read.hpp"
 
 #include <algorithm>
 
-#include "problems/chain/front/read.hpp"
 #include "problems/chain/read_design.hpp"
-#include "problems/chain/read_tolerances.hpp"
+#include "problems/chain/read_made.hpp"
 #include "problems/leg/given.hpp"
 #include "problems/leg/keys.hpp"
 #include "problems/leg/known.hpp"
-#include "problems/linkage/design_layers.hpp"
 #include "problems/linkage/warnings.hpp"
 
 namespace cognate::problems {
@@ -73,8 +71,9 @@ LegProblem KindTraits<LegProblem>::read(reading::TableReader& document,
   const auto known = leg_topologies(problem.mechanism);
   read_leg_target(tables.target, problem.target);
   read_near(tables.mechanism, problem);
-  problem.topologies = read_topologies(
-      document, tables, known, read_traced(tables.target, problem.mechanism, foot_of(known)));
+  Wanted wanted = read_traced(tables.target, problem.mechanism, foot_of(known));
+  wanted.takes_three_pins = true;
+  problem.topologies = read_topologies(document, tables, known, wanted);
   problem.constraints.transmission_angle =
       read_chain_transmission(tables.constraints).value_or(problem.constraints.transmission_angle);
   read_keys(tables.constraints, kLegConstraintKeys, problem.constraints);
@@ -86,9 +85,7 @@ LegProblem KindTraits<LegProblem>::read(reading::TableReader& document,
                                   .topologies = problem.topologies,
                                   .is_given = is_given(problem)},
                                  problem.solve);
-  problem.layers = read_design_layers(document, tables.constraints, links_of(problem.topologies),
-                                      problem.against ? kNoLayersOfFronts : std::string_view{});
-  problem.tolerances = read_chain_tolerances(document, problem.topologies, "length");
+  read_made(document, tables, "length", LimitSpan::turn, problem);
   for (TableReader* table :
        {&tables.target, &tables.mechanism, &tables.constraints, &tables.solve}) {
     table->finish();

@@ -8,7 +8,9 @@
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "problems/chain/starts/draw.hpp"
+#include "synthesis/chain/drawn.hpp"
 #include "synthesis/chain/sweep.hpp"
+#include "synthesis/chain/transform.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -95,17 +97,9 @@ class StanceFinder {
 /// Turned so that `direction` is the x axis, and enlarged by `factor`, about the crank's pivot.
 void move(const LegSpace& space, const Vec2d& direction, double factor,
           synthesis::ChainDesign& chain) {
-  for (const auto& [line, parameter] : space.lines) {
-    double* own = chain.parameters.data() + parameter;
-    for (int i = 0; i < synthesis::parameter_count(line.type); ++i) {
-      const bool turns = parameter_role(line.type, i) == synthesis::ParameterRole::direction;
-      own[i] = turns ? own[i] - angle_of(direction) : own[i] * factor;
-    }
-    if (line.type != synthesis::LineType::pivot) continue;
-    const Vec2d turned = conj(direction) * Vec2d{own[0], own[1]};
-    own[0] = turned.x;
-    own[1] = turned.y;
-  }
+  // What stands so with the crank at angle 0 is turned to where the crank is at this angle.
+  synthesis::draw_anew(space.lines, direction, chain);
+  synthesis::transform(space.lines, factor * conj(direction), {}, chain.parameters);
 }
 
 }  // namespace
@@ -119,7 +113,7 @@ std::optional<Gait> gait_of(const LegSpace& space, const synthesis::ChainDesign&
   std::array<Vec2d, synthesis::kMostLines> velocity;
   const auto foot = static_cast<std::size_t>(space.foot);
   const FootPath path = [&](double crank) -> FootState {
-    synthesis::place(view, unit_vector(crank), place);
+    synthesis::place_next(view, unit_vector(crank), place);
     synthesis::move<double>(view, place, 1, nullptr, velocity.data());
     return {place.at[foot], velocity.at(foot)};
   };

@@ -72,7 +72,7 @@ Design verified(const LegProblem& problem, const Topology& topology, NamedMechan
   const AssemblyRanges motion = follow(mechanism.mechanism, 0, kTurn);
   measure_transmission(topology, mechanism, motion, design.metrics);
   check_transmission(problem.constraints.transmission_angle, design);
-  check_circuit(motion, design);
+  check_circuit(topology, mechanism, motion, design);
   design.mechanism = std::move(mechanism);
   return design;
 }

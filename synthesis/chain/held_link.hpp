@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "analysis/numbers/vec2.hpp"
 
@@ -88,9 +89,9 @@ struct HeldClosure {
   Vec2<T> free_motion(int k) const { return motion[k].shift + motion[k].turn * perp(arm[k]); }
 };
 
-/// One step of Newton's method.
+/// One step of Newton's method; returns the square of how far it was, as a share of the lengths.
 template <class T>
-void close_nearer(const HeldLink<T>& link, const Vec2<T>* held_by, HeldPlace<T>& place) {
+T close_nearer(const HeldLink<T>& link, const Vec2<T>* held_by, HeldPlace<T>& place) {
   using std::sqrt;
   Vec2<T> pins[3];
   place.pins(link, pins);
@@ -103,6 +104,9 @@ void close_nearer(const HeldLink<T>& link, const Vec2<T>* held_by, HeldPlace<T>&
   place.first = place.first + step.shift;
   const Vec2<T> turned = place.axis + step.turn * perp(place.axis);
   place.axis = (T(1) / sqrt(squared_norm(turned))) * turned;
+  const T around = step.turn * link.distance;
+  return (squared_norm(step.shift) + around * around) /
+         (link.length[0] * link.length[0] + link.distance * link.distance);
 }
 
 /// The link held by the points `held_by` after it stood at `place` while they were `before`. Not a
@@ -118,7 +122,14 @@ void follow(const HeldLink<T>& link, const Vec2<T>* before, const Vec2<T>* held_
     for (int k = 0; k < 3; ++k) {
       at[k] = step == steps ? held_by[k] : before[k] + share * (held_by[k] - before[k]);
     }
-    for (int i = 0; i < iterations; ++i) close_nearer(link, at, place);
+    for (int i = 0; i < iterations; ++i) {
+      const T moved = close_nearer(link, at, place);
+      // The next step would be the square of this one.
+      constexpr double kEnd = 1e-20;
+      if constexpr (std::is_floating_point_v<T>) {
+        if (moved < T(kEnd)) break;
+      }
+    }
   }
   Vec2<T> pins[3];
   place.pins(link, pins);

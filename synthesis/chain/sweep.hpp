@@ -10,7 +10,10 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
+#include "analysis/numbers/angle.hpp"
+#include "analysis/numbers/constants.hpp"
 #include "analysis/numbers/vec2.hpp"
 #include "synthesis/chain/chain_place.hpp"
 #include "synthesis/chain/three_pin_lines.hpp"
@@ -107,19 +110,45 @@ Vec2<T> halved(const Vec2<T>& direction) {
   return (T(1) / sqrt(squared_norm(half))) * half;
 }
 
+/// Whether a three-pin link stands nowhere, so that it cannot be led on.
+inline bool is_lost(const ChainView<double>& chain, const ChainPlace<double>& out) {
+  for (int k = 0; k < chain.count; ++k) {
+    if (chain.lines[k].line.type == LineType::first_pin && !std::isfinite(out.at[k].x)) return true;
+  }
+  return false;
+}
+
+/// Leads three-pin links from where they stand in `out` to `crank`, never across the angle 0, from
+/// which they are led at first.
+inline void lead_on(const ChainView<double>& chain, const Vec2d& crank, ChainPlace<double>& out) {
+  constexpr double kStep = kTurn / 32;
+  const double from = in_one_turn(angle_of(out.crank));
+  const double way = in_one_turn(angle_of(crank)) - from;
+  const int steps = static_cast<int>(std::abs(way) / kStep);
+  for (int i = 1; i <= steps && !is_lost(chain, out); ++i) {
+    place_lines<Kept::distances>(chain, unit_vector(from + way * i / (steps + 1)), out);
+  }
+  place_lines<Kept::distances>(chain, crank, out);
+}
+
 /// Turns the crank from angle 0 to `crank`, and three-pin links follow.
 template <Kept Keeps, class T>
 void place_followed(const ChainView<T>& chain, const Vec2<T>& crank, ChainPlace<T>& out) {
   constexpr int kHalvings = 5, kSteps = 1 << kHalvings;
-  Vec2<T> step = crank;
-  for (int i = 0; i < kHalvings; ++i) step = halved(step);
   Vec2<T> direction{T(1), T(0)};
   place_lines<Keeps>(chain, direction, out);
-  for (int i = 1; i < kSteps; ++i) {
-    direction = direction * step;
-    place_lines<Kept::distances>(chain, direction, out);
+  if constexpr (std::is_same_v<T, double>) {
+    lead_on(chain, crank, out);
+  } else {
+    // Lanes go all the same steps.
+    Vec2<T> step = crank;
+    for (int i = 0; i < kHalvings; ++i) step = halved(step);
+    for (int i = 1; i < kSteps; ++i) {
+      direction = direction * step;
+      place_lines<Kept::distances>(chain, direction, out);
+    }
+    place_lines<Kept::distances>(chain, crank, out);
   }
-  place_lines<Kept::distances>(chain, crank, out);
 }
 
 /// Places all lines at the direction `crank` of the crank.
@@ -139,9 +168,11 @@ inline void place_next(const ChainView<double>& chain, const Vec2d& crank,
                        ChainPlace<double>& out) {
   constexpr double kNearby = 0.97;  // cosine of the angle over which three-pin links are followed
   if (squared_norm(out.crank) == 0) return place(chain, crank, out);
-  const bool follows = dot(crank, out.crank) > kNearby && has_three_pin_link(chain) &&
-                       std::isfinite(out.at[chain.count - 1].x);
-  follows ? place<Kept::distances>(chain, crank, out) : place<Kept::guides>(chain, crank, out);
+  if (!has_three_pin_link(chain) || is_lost(chain, out)) {
+    return place<Kept::guides>(chain, crank, out);
+  }
+  dot(crank, out.crank) > kNearby ? place<Kept::distances>(chain, crank, out)
+                                  : lead_on(chain, crank, out);
 }
 
 /// How the points move when the crank turns at the rate `turn` and the parameters change at the

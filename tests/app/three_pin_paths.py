@@ -85,10 +85,10 @@ def from_axes(first, second, at):
     return first + (second - first) / abs(second - first) * at
 
 
-def planted(kind, rng, least_deg, samples=720, body=None):
+def planted(kind, rng, least_deg, samples=720, body=None, output=False):
     """The path over a turn of a random mechanism of the type three-pin-1 or three-pin-2, with a
     crank of length 1 about the origin; with the angle `body` of a body in the link that carries the
-    point, (point, angle) of that."""
+    point, (point, angle) of that; or as `output` the angles of the third link, from the frame."""
     def log_uniform(low, high):
         return math.exp(rng.uniform(math.log(low), math.log(high)))
 
@@ -112,6 +112,8 @@ def planted(kind, rng, least_deg, samples=720, body=None):
         moved = turn(plate, holders_at, samples)
         if moved is None or moved[1] < least_deg:
             continue
+        if output:
+            return [cmath.phase(ends[2] - holders[2]) for holders, ends in moved[0]]
         carriers = [(holders[0], ends[0]) if kind == 1 else (ends[0], ends[1])
                     for holders, ends in moved[0]]
         path = [from_axes(*carrier, point) for carrier in carriers]
@@ -158,7 +160,7 @@ class Design:
         at = {row["name"]: complex(*row["at"]) for row in self.mechanism["pivot"]}
         crank = self.mechanism["crank"]
         at[crank["pin"]] = at[crank["at"]] + cmath.rect(crank["length"], angle)
-        for row in self.mechanism["point"]:
+        for row in self.mechanism.get("point", []):
             if all(name in at for name in row["on"]):
                 at[row["name"]] = from_axes(*(at[name] for name in row["on"]), complex(*row["at"]))
         return [at[name] for name in self.names[:3]]
@@ -171,23 +173,27 @@ class Design:
             if not self.plate.close(holders):
                 return None
         at = dict(zip(self.names, [*holders, *self.plate.ends()]))
-        for row in self.mechanism["point"]:
+        for row in self.mechanism.get("point", []):
             if all(name in at for name in row["on"]):
                 at[row["name"]] = from_axes(*(at[name] for name in row["on"]), complex(*row["at"]))
         return at
 
-    def path(self, name, samples):
-        """The path of a point over a turn, and the least transmission angle; None where the
-        mechanism does not come round."""
+    def joints(self, samples):
+        """The joints of the link by their names over a turn, and the least transmission angle; None
+        where the mechanism does not come round."""
+        self.plate.place = self.began
         moved = turn(self.plate, self.holders_at, samples)
         if moved is None:
             return None
+        return [dict(zip(self.names, [*holders, *ends])) for holders, ends in moved[0]], moved[1]
+
+    def path(self, name, samples):
+        """The path of a point over a turn, and that angle."""
+        moved = self.joints(samples)
+        if moved is None:
+            return None
         row = next(row for row in self.mechanism["point"] if row["name"] == name)
-        path = []
-        for holders, ends in moved[0]:
-            at = dict(zip(self.names, [*holders, *ends]))
-            path.append(from_axes(*(at[on] for on in row["on"]), complex(*row["at"])))
-        return path, moved[1]
+        return [from_axes(*(at[on] for on in row["on"]), complex(*row["at"])) for at in moved[0]], moved[1]
 
 
 def rms_distance(path, points):

@@ -29,7 +29,8 @@ constexpr Entry kChainFunctionKeys[] = {
      "of "
      "a slider"},
     {"mechanism.type",
-     "\"six-bar\", \"stephenson-3\", \"watt-2\", or \"chain\"; with a slider as output "
+     "\"six-bar\", \"stephenson-3\", \"watt-2\", \"three-pin\", or \"chain\"; with a slider as "
+     "output "
      "\"slider-crank\", \"six-bar-slider\", \"stephenson-3-slider\", \"watt-2-slider\"; parts and "
      "bounds as of path-generation (chains)"},
     {"constraints.transmission_angle_deg", "[min, max] of every dyad over the motion"},

@@ -23,7 +23,9 @@ constexpr Entry kDwellKeys[] = {
      "a slider"},
     {"target.stroke_min", "of a slider: its least stroke; also apart and dwell.half_band_max"},
     {"mechanism.type",
-     "\"six-bar\" (default), \"stephenson-3\", \"watt-2\", or \"chain\"; with a slider as output "
+     "\"six-bar\" (default), \"stephenson-3\", \"watt-2\", \"three-pin\", or \"chain\"; with a "
+     "slider "
+     "as output "
      "\"six-bar-slider\", \"stephenson-3-slider\", \"watt-2-slider\"; parts and bounds as of "
      "path-generation (chains)"},
     {"constraints.transmission_angle_deg", "[min, max] of every dyad over the turn"},

@@ -61,8 +61,9 @@ TEST(ThreePinChain, FollowedAndBegunAnewAreTheSame) {
   for (const PinnedChain& of : three_pin_chains()) {
     PosedChain<double> chain(of.chain, of.design);
     ChainPlace<double> followed;
-    for (int i = 0; i < 720; ++i) {
-      const Vec2d crank = unit_vector(kTurn * i / 360);
+    for (int i = 0; i < 1440; ++i) {
+      // Step by step, and then here and there.
+      const Vec2d crank = unit_vector(kTurn * (i < 720 ? i : i * i % 361) / 360);
       place_next(chain.view(), crank, followed);
       EXPECT_LT(norm(followed.at[chain.last()] - chain.at(crank).at[chain.last()]), 1e-10);
     }

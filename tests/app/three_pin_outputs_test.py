@@ -1,0 +1,147 @@
+"""Functions, dwells and legs of mechanisms with a three-pin link: planted functions are found again, and what results say of
+outputs and feet is so by a closure of its own.
+
+Run as: three_pin_outputs_test.py PROGRAM, the built program.
+"""
+
+import cmath
+import json
+import math
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import three_pin_paths
+from thinned import WHOLE
+
+PROGRAM = ""
+SAMPLES = 3600
+LIMITS = "[constraints]\ntransmission_angle_deg = [30, 150]\n"
+
+
+def run(text, command="solve"):
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "problem.toml"
+        path.write_text(text, encoding="utf-8")
+        return subprocess.run([PROGRAM, "--quiet", "--json", command, path], capture_output=True, text=True, check=False)
+
+
+def solved(text):
+    done = run(text)
+    return json.loads(done.stdout)
+
+
+def unrolled(angles):
+    """Each within half a turn of the one before."""
+    all_of = [angles[0]]
+    for angle in angles[1:]:
+        all_of.append(all_of[-1] + math.remainder(angle - all_of[-1], three_pin_paths.TURN))
+    return all_of
+
+
+class Moved:
+    """A design over the turn of its crank."""
+
+    def __init__(self, design):
+        self.design = design
+        self.of = three_pin_paths.Design(design["mechanism"])
+        moved = self.of.joints(SAMPLES)
+        assert moved is not None, "it does not come round"
+        self.joints, self.least = moved
+
+    def outputs(self):
+        """Radians, from G to F."""
+        return unrolled([cmath.phase(at["F"] - at["G"]) for at in self.joints])
+
+    def output_at(self, degrees):
+        at = self.of.places_after(math.radians(degrees % 360))
+        return cmath.phase(at["F"] - at["G"])
+
+
+class Outputs(unittest.TestCase):
+    def check_transmission(self, moved):
+        stated = moved.design["metrics"]["transmission_angle_deg"]["acute_min"]
+        self.assertAlmostEqual(moved.least, stated, delta=0.01)
+        self.assertGreaterEqual(moved.least, 30 - 0.001)
+
+    def check_function(self, pairs, best):
+        """Its errors are those of this closure from the start that it states."""
+        moved = Moved(best)
+        self.check_transmission(moved)
+        start = best["metrics"]["input_start_deg"]
+        missed = [math.remainder(moved.output_at(start + x) - math.radians(y), three_pin_paths.TURN) for x, y in pairs]
+        missed = unrolled(missed)
+        middle = sum(missed) / len(missed)
+        rms = math.sqrt(sum((x - middle)**2 for x in missed) / len(missed))
+        self.assertAlmostEqual(rms, best["error"]["rms"], delta=1e-7)
+
+    def planted(self, kind, seed):
+        """Pairs of a random mechanism, in degrees: what the link GF turns through while the crank turns by 130."""
+        rng = random.Random(seed)
+        outputs = unrolled(three_pin_paths.planted(kind, rng, 35, output=True))
+        begin = rng.randrange(360)
+        steps = [begin + 20 * i for i in range(14)]
+        turned = [outputs[k % 720] - outputs[begin] for k in steps]
+        return [(10.0 * i, math.degrees(math.remainder(y, three_pin_paths.TURN))) for i, y in enumerate(turned)]
+
+    def test_planted_functions_are_found_again(self):
+        for kind, seed in [(1, 3), (2, 5)] + ([(1, 6), (2, 8), (1, 9)] if WHOLE else []):
+            pairs = self.planted(kind, seed)
+            rows = ", ".join(f"[{x}, {y:.15g}]" for x, y in pairs)
+            best = solved(f'kind = "function-generation"\n[target]\npairs_deg = [{rows}]\n[mechanism]\n'
+                          f'type = "three-pin-{kind}"\n{LIMITS}[solve]\nstarts = {1024 if WHOLE else 256}\ndesigns = 1\n')["designs"][0]
+            swing = math.radians(max(y for _, y in pairs) - min(y for _, y in pairs))
+            self.assertLess(best["error"]["rms"], 3e-4 * swing, (kind, seed))
+            self.check_function(pairs, best)
+
+    def test_dwells(self):
+        result = solved(f'kind = "function-generation"\n[target]\ndwell = [{{ over_deg = 100 }}]\nswing_deg_min = 40\n'
+                        f'[mechanism]\ntype = "three-pin"\n{LIMITS}[solve]\nstarts = 128\ndesigns = 1\n')
+        best = result["designs"][0]
+        moved, metrics = Moved(best), best["metrics"]
+        self.check_transmission(moved)
+        outputs = moved.outputs()
+        self.assertAlmostEqual(math.degrees(max(outputs) - min(outputs)), metrics["swing_deg"], delta=1e-3)
+        self.assertGreaterEqual(metrics["swing_deg"], 40 - 1e-4)
+        start = metrics["dwell_from_deg"]
+        still = unrolled([moved.output_at(start + 100 * i / 200) for i in range(201)])
+        self.assertAlmostEqual(math.degrees(max(still) - min(still)) / 2, metrics["half_band_deg"], delta=1e-5)
+        self.assertLess(metrics["half_band_deg"], 0.5)
+
+    def test_legs(self):
+        best = solved(f'kind = "leg"\n[target]\nduty = 0.55\nstride = 1\nheight_min = 0.3\n[mechanism]\n'
+                      f'type = "three-pin"\n{LIMITS}[solve]\nstarts = 32\ndesigns = 1\n')["designs"][0]
+        moved, metrics = Moved(best), best["metrics"]
+        self.check_transmission(moved)
+        path = moved.of.path("P", SAMPLES)[0]
+        low = min(p.imag for p in path)
+        first = round(metrics["stance_from_deg"] * SAMPLES / 360)
+        stance = [path[(first + i) % SAMPLES] for i in range(round(0.55 * SAMPLES) + 1)]
+        self.assertAlmostEqual(max(p.imag for p in path) - low, metrics["step_height"], delta=1e-4)
+        self.assertGreaterEqual(metrics["step_height"], 0.3 - 1e-6)
+        self.assertAlmostEqual(max(p.real for p in stance) - min(p.real for p in stance), 1, delta=2e-3)
+        self.assertAlmostEqual(max(p.imag for p in stance) - low, metrics["flatness"], delta=2e-3)
+
+    def test_what_is_not_for_them_is_refused(self):
+        function = ('kind = "function-generation"\n[target]\nfunction = "x"\ndomain = [0, 1]\ninput_range_deg = 90\n'
+                    'output_range_deg = 40\n[mechanism]\ntype = "three-pin-1"\n')
+        dwell = ('kind = "function-generation"\n[target]\ndwell = [{ over_deg = 90 }]\n[mechanism]\ntype = "three-pin-2"\n')
+        leg = 'kind = "leg"\n[target]\nduty = 0.55\nstride = 1\n[mechanism]\ntype = "three-pin"\n'
+        for text, more, why in ((function, '[constraints]\nover = "range"\n', "the crank of a mechanism with a three-pin link turns fully"),
+                                (function, "[layers]\nbar_width = 0.1\n", "not for links with three pins"),
+                                (dwell, "[raster]\nlength = 1\n", "not for links with three pins"),
+                                (dwell, "[tolerance]\nlength = 0.1\n", "not for links with three pins"),
+                                (leg, "[tolerance]\nlength = 0.1\n", "not for links with three pins"),
+                                (leg, "[constraints]\nlayers_max = 3\n", "not for links with three pins")):
+            with self.subTest(more):
+                done = run(text + more)
+                self.assertEqual(done.returncode, 2)
+                self.assertIn(why, done.stderr + done.stdout)
+
+
+if __name__ == "__main__":
+    PROGRAM = sys.argv[1]
+    unittest.main(argv=sys.argv[:1])
