@@ -16,8 +16,9 @@ namespace {
 constexpr int kRound = 32;             ///< starts between two looks at what was found
 constexpr std::size_t kKept = 24;      ///< designs kept while searching
 constexpr std::size_t kFinished = 12;  ///< of which so many are finished with more nodes
-constexpr double kHopShare = 0.5;      ///< of the starts that disturb a design found
-constexpr double kKnownShare = 0.4;    ///< of the others that disturb a published leg
+/// Of the starts those that disturb a design found, of others those that are about a published leg,
+/// of which there are many that lead to other valleys.
+constexpr double kHopShare = 0.5, kHopShareBesideKnown = 0.35, kKnownShare = 0.9;
 constexpr int kSearchNodes = 21, kFinalNodes = 65;
 constexpr int kSearchIterations = 60, kFinalIterations = 120;
 constexpr int kSearchExchanges = 3, kFinalExchanges = 30;
@@ -131,7 +132,8 @@ class LegExplorer {
   std::optional<LegDesign> start_of(std::uint64_t number, std::mt19937_64& random) const {
     const auto& all = search_.all();
     if (space_.known && number == 0) return with_stance(space_, *space_.known);
-    if (!all.empty() && uniform(random, 0, 1) < kHopShare) {
+    const double hops = space_.known ? kHopShareBesideKnown : kHopShare;
+    if (!all.empty() && uniform(random, 0, 1) < hops) {
       const auto which = static_cast<std::size_t>(uniform(random, 0, double(all.size())));
       LegDesign design = all[which].design;
       const double size = disturb(design.chain, 1e-4, 0.3, random);
@@ -139,9 +141,7 @@ class LegExplorer {
       return design;
     }
     if (space_.known && uniform(random, 0, 1) < kKnownShare) {
-      synthesis::ChainDesign chain = *space_.known;
-      disturb(chain, 1e-3, 0.3, random);
-      return with_stance(space_, std::move(chain));
+      return draw_beside_known(space_, random);
     }
     return draw_leg(space_, random);
   }

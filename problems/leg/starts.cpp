@@ -7,10 +7,11 @@
 
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "analysis/numbers/random.hpp"
 #include "problems/chain/starts/draw.hpp"
+#include "problems/leg/checks.hpp"
 #include "synthesis/chain/drawn.hpp"
 #include "synthesis/chain/sweep.hpp"
-#include "synthesis/chain/transform.hpp"
 
 namespace cognate::problems {
 namespace {
@@ -97,9 +98,43 @@ class StanceFinder {
 /// Turned so that `direction` is the x axis, and enlarged by `factor`, about the crank's pivot.
 void move(const LegSpace& space, const Vec2d& direction, double factor,
           synthesis::ChainDesign& chain) {
-  // What stands so with the crank at angle 0 is turned to where the crank is at this angle.
+  using synthesis::ParameterRole;
+  // What stands so with the crank at this angle is turned to where the crank is at angle 0.
   synthesis::draw_anew(space.lines, direction, chain);
-  synthesis::transform(space.lines, factor * conj(direction), {}, chain.parameters);
+  for (const auto& [line, parameter] : space.lines) {
+    double* own = chain.parameters.data() + parameter;
+    for (int i = 0; i < synthesis::parameter_count(line.type); ++i) {
+      const bool turns = parameter_role(line.type, i) == ParameterRole::direction;
+      own[i] = turns ? own[i] - angle_of(direction) : own[i] * factor;
+    }
+    if (parameter_role(line.type, 0) != ParameterRole::x) continue;
+    const Vec2d turned = conj(direction) * Vec2d{own[0], own[1]};
+    own[0] = turned.x;
+    own[1] = turned.y;
+  }
+}
+
+/// The published leg with other lengths, its pivots turned about that of the crank.
+synthesis::ChainDesign scattered(const LegSpace& space, std::mt19937_64& random) {
+  constexpr double kUsual = 1.5;
+  const double most = std::log(space.problem->near.value_or(kUsual));
+  const auto factor = [&] { return std::exp(uniform(random, -most, most)); };
+  synthesis::ChainDesign chain = *space.known;
+  for (std::size_t k = 0; k < space.lines.size(); ++k) {
+    const auto& [line, parameter] = space.lines[k];
+    double* own = chain.parameters.data() + parameter;
+    if (line.type == synthesis::LineType::pivot) {
+      const Vec2d at = factor() * unit_vector(uniform(random, 0, kTurn)) * Vec2d{own[0], own[1]};
+      own[0] = at.x;
+      own[1] = at.y;
+      continue;
+    }
+    for (int i = 0; i < synthesis::parameter_count(line.type); ++i) own[i] *= factor();
+    if (uniform(random, 0, 1) < 0.5) continue;
+    if (line.type == synthesis::LineType::attached) own[1] = -own[1];
+    if (line.type == synthesis::LineType::dyad) chain.side[k] = -chain.side[k];
+  }
+  return chain;
 }
 
 }  // namespace
@@ -147,6 +182,19 @@ std::optional<LegDesign> draw_leg(const LegSpace& space, std::mt19937_64& random
       start -= std::atan2(stance.direction.y, stance.direction.x);
     }
     best = LegDesign{std::move(drawn->design), start, kTurn * space.problem->target.duty};
+  }
+  return best;
+}
+
+std::optional<LegDesign> draw_beside_known(const LegSpace& space, std::mt19937_64& random) {
+  constexpr int kLegs = 48;
+  std::optional<LegDesign> best;
+  double least = kWorst;
+  for (int i = 0; i < kLegs; ++i) {
+    const auto leg = with_stance(space, scattered(space, random));
+    const double half = leg ? half_band(space, *leg) : kWorst;
+    if (half < least) best = leg;
+    least = std::min(least, half);
   }
   return best;
 }

@@ -25,4 +25,8 @@ std::optional<LegDesign> with_stance(const LegSpace& space, synthesis::ChainDesi
 /// that this is a stance of the stride.
 std::optional<LegDesign> draw_leg(const LegSpace& space, std::mt19937_64& random);
 
+/// Of a space with a published leg: the flattest of many that walk, with nearly its lengths, but
+/// with the pivots in any direction from that of the crank and dyads and points on either side.
+std::optional<LegDesign> draw_beside_known(const LegSpace& space, std::mt19937_64& random);
+
 }  // namespace cognate::problems

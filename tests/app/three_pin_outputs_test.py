@@ -16,6 +16,7 @@ import unittest
 
 import three_pin_paths
 from thinned import WHOLE
+from three_pin_paths import unrolled
 
 PROGRAM = ""
 SAMPLES = 3600
@@ -32,14 +33,6 @@ def run(text, command="solve"):
 def solved(text):
     done = run(text)
     return json.loads(done.stdout)
-
-
-def unrolled(angles):
-    """Each within half a turn of the one before."""
-    all_of = [angles[0]]
-    for angle in angles[1:]:
-        all_of.append(all_of[-1] + math.remainder(angle - all_of[-1], three_pin_paths.TURN))
-    return all_of
 
 
 class Moved:
@@ -78,18 +71,9 @@ class Outputs(unittest.TestCase):
         rms = math.sqrt(sum((x - middle)**2 for x in missed) / len(missed))
         self.assertAlmostEqual(rms, best["error"]["rms"], delta=1e-7)
 
-    def planted(self, kind, seed):
-        """Pairs of a random mechanism, in degrees: what the link GF turns through while the crank turns by 130."""
-        rng = random.Random(seed)
-        outputs = unrolled(three_pin_paths.planted(kind, rng, 35, output=True))
-        begin = rng.randrange(360)
-        steps = [begin + 20 * i for i in range(14)]
-        turned = [outputs[k % 720] - outputs[begin] for k in steps]
-        return [(10.0 * i, math.degrees(math.remainder(y, three_pin_paths.TURN))) for i, y in enumerate(turned)]
-
     def test_planted_functions_are_found_again(self):
         for kind, seed in [(1, 3), (2, 5)] + ([(1, 6), (2, 8), (1, 9)] if WHOLE else []):
-            pairs = self.planted(kind, seed)
+            pairs = three_pin_paths.planted_pairs(kind, random.Random(seed), 35)
             rows = ", ".join(f"[{x}, {y:.15g}]" for x, y in pairs)
             best = solved(f'kind = "function-generation"\n[target]\npairs_deg = [{rows}]\n[mechanism]\n'
                           f'type = "three-pin-{kind}"\n{LIMITS}[solve]\nstarts = {1024 if WHOLE else 256}\ndesigns = 1\n')["designs"][0]

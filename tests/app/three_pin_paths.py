@@ -123,6 +123,25 @@ def planted(kind, rng, least_deg, samples=720, body=None, output=False):
                 for at, (first, second) in zip(path, carriers)]
 
 
+def planted_pairs(kind, rng, least_deg, sweep=130, count=14):
+    """Pairs of increments in degrees: what the third link of a random mechanism turns through while
+    the crank turns by `sweep`, from anywhere."""
+    samples = 720
+    outputs = unrolled(planted(kind, rng, least_deg, samples, output=True))
+    begin = rng.randrange(samples)
+    inputs = [sweep * i / (count - 1) for i in range(count)]
+    turned = [outputs[(begin + round(2 * x)) % samples] - outputs[begin] for x in inputs]
+    return [(round(2 * x) / 2, math.degrees(math.remainder(y, TURN))) for x, y in zip(inputs, turned)]
+
+
+def unrolled(angles):
+    """Each within half a turn of the one before."""
+    all_of = [angles[0]]
+    for angle in angles[1:]:
+        all_of.append(all_of[-1] + math.remainder(angle - all_of[-1], TURN))
+    return all_of
+
+
 def at_equal_arcs(path, count):
     """`count` of the points of a closed path, at nearly equal arcs."""
     arcs = [0]

@@ -1,6 +1,8 @@
 // Drawings as hands make them, the same in every run.
 
-const TREMOR = 0.004;
+import { drawnLetter } from "./letters.mjs";
+
+export const TREMOR = 0.004;
 
 // Numbers in [0, 1) (Marsaglia's xorshift).
 export function randomNumbers(state = 2463534242) {
@@ -32,6 +34,8 @@ export function drawnStroke(i) {
   const points = within(harmonicStroke(random, i % 2 === 0, 0.9, 60));
   return [i % 2 === 0 ? [...points, points[0]] : points];
 }
+
+export const drawnLetterStroke = (i) => [drawnLetter(i, randomNumbers(19088743 + 7919 * i), TREMOR)];
 
 export function drawnPoses(i) {
   const random = randomNumbers(521288629 + 7919 * i);

@@ -1,15 +1,15 @@
 // How the page of `cognate sketch` follows a hand in headless Chromium:
 //   BROWSER_PACKAGES=$PWD/build/release/tests/browser/npm node tests/bench/report/hands.mjs build/release/app/cognate [DRAWINGS [KIND]]
-// Of random strokes, for four-bars, for slider-cranks and for both, of poses, of functions and of straight lines: from the end of the drawing to
+// Of random strokes and of capitals and signs, for four-bars, for slider-cranks and for both, of poses, of functions and of straight lines: from the end of the drawing to
 // the first designs, the time between frames until the search ends, and from a step of a drag to the first design that follows it, the one
-// chosen (those of a line without a search). KIND: strokes, sliders, both, poses, functions or lines alone. Median, 95 % and worst; on a machine that does other
+// chosen (those of a line without a search). KIND: strokes, letters, sliders, both, poses, functions or lines alone. Median, 95 % and worst; on a machine that does other
 // work besides only the first figure means something.
 import { execFileSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { launch, open } from "../../browser/browser.mjs";
-import { drawnFunctionStroke, drawnLine, drawnPoses, drawnStroke } from "./drawings.mjs";
+import { drawnFunctionStroke, drawnLetterStroke, drawnLine, drawnPoses, drawnStroke } from "./drawings.mjs";
 
 const [program, drawings = "100", only] = process.argv.slice(2);
 const DRAGS = 10;
@@ -74,7 +74,7 @@ const file = path.join(folder, "sketch.html");
 execFileSync(program, ["sketch", "--out", file]);
 const browser = await launch();
 console.log("| drawings | first designs, ms (median / 95 % / worst) | between frames while searching, ms | a step of a drag, ms |\n|---|---|---|---|");
-const KINDS = [["strokes", ["#of-curve"], drawnStroke], ["sliders", ["#of-curve", "#by-slider"], drawnStroke], ["both", ["#of-curve", "#by-both"], drawnStroke], ["poses", ["#of-poses"], drawnPoses], ["functions", ["#of-function"], drawnFunctionStroke], ["lines", ["#of-line"], drawnLine]];
+const KINDS = [["strokes", ["#of-curve"], drawnStroke], ["letters", ["#of-curve"], drawnLetterStroke], ["sliders", ["#of-curve", "#by-slider"], drawnStroke], ["both", ["#of-curve", "#by-both"], drawnStroke], ["poses", ["#of-poses"], drawnPoses], ["functions", ["#of-function"], drawnFunctionStroke], ["lines", ["#of-line"], drawnLine]];
 for (const [name, buttons, drawing] of KINDS.filter(([one]) => !only || one === only)) {
   const { page, faults, close } = await open(browser, file);
   for (const button of buttons) await page.locator(button).click();

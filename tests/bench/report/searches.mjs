@@ -6,7 +6,8 @@ import path from "node:path";
 import { gunzipSync } from "node:zlib";
 import { encoded } from "../../../app/report/page/encoded.js";
 import { problemToml } from "../../../app/report/page/toml.js";
-import { harmonicStroke, randomNumbers } from "./drawings.mjs";
+import { strokeTargets } from "../../../app/report/page/sketch/stroke.js";
+import { drawnLetterStroke, harmonicStroke, randomNumbers } from "./drawings.mjs";
 import { drawnFunction } from "./functions.mjs";
 
 const POINTS = 24, SIZE = 100;
@@ -21,6 +22,9 @@ function poses(i) {
   let direction = 360 * random();
   return { ...state, points, angles: points.map(() => Math.round(direction += 60 * (random() - 0.3))) };
 }
+
+// As the page makes targets of strokes on its sheet.
+const letters = (i) => ({ ...state, angles: null, ...strokeTargets(drawnLetterStroke(i)[0].map(([x, y]) => [120 * (x - 0.5), 84 * (0.5 - y)])) });
 
 const functions = (i) => drawnFunction(random, i, state);
 
@@ -39,7 +43,7 @@ function boxedLines(i) {
   return { ...lines(i), class: i % 3 === 0 ? "crank-rocker" : "any", region: [[left, across[0]], [left + width, across[1]]] };
 }
 
-export const DRAWINGS = [["curves", curve], ["poses", poses], ["functions", functions], ["slider-cranks", sliders], ["lines", lines], ["boxed-lines", boxedLines]];
+export const DRAWINGS = [["curves", curve], ["letters", letters], ["poses", poses], ["functions", functions], ["slider-cranks", sliders], ["lines", lines], ["boxed-lines", boxedLines]];
 
 // The search in the page of a build in the folder `build`.
 export async function searchOf(build) {

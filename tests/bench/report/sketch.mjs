@@ -1,9 +1,9 @@
 // How long a hand waits for linkages in the page of `cognate sketch`, and their errors against those that the program
 // finds by default. Usage: node sketch.mjs BUILD [DRAWINGS [KIND]]
 // BUILD: the folder of the build. Strokes are random sums of three harmonics, half of them open, with the tremor of a
-// hand; poses, six to fifteen, lie on such with a direction that turns; functions are sums of harmonics, and outputs of four-bars
+// hand; letters are capitals and signs with one, as the page reads them; poses, six to fifteen, lie on such with a direction that turns; functions are sums of harmonics, and outputs of four-bars
 // with such a tremor; lines have random limits, boxed lines also a box for the pivots. Each is searched for as the page does, and solved by the program on one thread. KIND: one of
-// curves, poses, functions, slider-cranks, lines and boxed-lines alone.
+// curves, letters, poses, functions, slider-cranks, lines and boxed-lines alone.
 import { problemOf, startsOf } from "../../../app/report/page/sketch/question.js";
 import { byProgram, DRAWINGS, median, searchOf, timed } from "./searches.mjs";
 
