@@ -154,7 +154,7 @@ void CommandLine::add_sweep() {
   sweep.add_option("--part", arguments.part, "evaluate this part of the designs alone")
       ->type_name("K/N");
   sweep.add_option("--merge", arguments.merged, "first take over rows of NAME.study.db or .h5")
-      ->type_name("FILE")
+      ->type_name("STUDY")
       ->allow_extra_args(false);
   sweep.add_option("--format", arguments.row_format, "hdf5: in the end the rows as columns, too")
       ->type_name("sqlite|hdf5");
