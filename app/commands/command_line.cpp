@@ -153,8 +153,8 @@ void CommandLine::add_sweep() {
   add_folder(sweep, arguments);
   sweep.add_option("--part", arguments.part, "evaluate this part of the designs alone")
       ->type_name("K/N");
-  sweep.add_option("--merge", arguments.merged, "take over the rows of this file first")
-      ->type_name("NAME.study.db")
+  sweep.add_option("--merge", arguments.merged, "first take over rows of NAME.study.db or .h5")
+      ->type_name("STUDY")
       ->allow_extra_args(false);
   sweep.add_option("--format", arguments.row_format, "hdf5: in the end the rows as columns, too")
       ->type_name("sqlite|hdf5");
@@ -202,9 +202,10 @@ CommandLine::CommandLine() : app(kDescription, "cognate") {
   add_length_unit(analyzing, arguments);
   add_watch(analyzing, arguments);
   add_sweep();
-  auto& exporting = add_file_command(
-      "export", "Write a result for CAD, as a picture or a table.", export_footer().c_str(),
-      "NAME.result.json, or a study, NAME.study.db", {".result.json", ".study.db"});
+  auto& exporting = add_file_command("export", "Write a result for CAD, as a picture or a table.",
+                                     export_footer().c_str(),
+                                     "NAME.result.json, or a study, NAME.study.db or .h5",
+                                     {".result.json", ".study.db", ".study.h5"});
   add_folder(exporting, arguments);
   add_length_unit(exporting, arguments);
   add_export_options(exporting, arguments);

@@ -18,6 +18,11 @@ struct OptionWords {
   std::vector<std::string> values;  ///< the only ones allowed; empty where any may follow
 
   bool takes_folder() const { return argument == "DIR"; }
+  /// Of the files that it takes; none where it takes no files.
+  std::vector<std::string> endings() const {
+    if (argument != "STUDY") return {};
+    return {".study.db", ".study.h5"};
+  }
   const std::string& long_name() const { return names.back(); }
 };
 

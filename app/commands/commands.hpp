@@ -61,7 +61,7 @@ ExitStatus sweep_command(const std::filesystem::path& file, const Options& optio
 
 /// Writes the base file of the study file `file` with the numbers of design `row` as NAME.ROW.toml
 /// to the folder `--out`, else to the current one, NAME being the name of the study file without
-/// `.study.db`. Says which file was written, as `export_command` does.
+/// `.study.db` or `.study.h5`. Says which file was written, as `export_command` does.
 ExitStatus export_row_command(const std::filesystem::path& file, std::int64_t row,
                               const Options& options);
 

@@ -10,6 +10,8 @@
 #include "app/documents/output_files.hpp"
 #include "app/documents/result_json.hpp"
 #include "app/study/checksum.hpp"
+#include "app/study/database.hpp"
+#include "app/study/read_columns.hpp"
 #include "app/study/read_rows.hpp"
 #include "app/study/schema.hpp"
 #include "problems/study/design_text.hpp"
@@ -21,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-/// NAME of NAME.study.db.
+/// NAME of NAME.study.db and NAME.study.h5.
 std::string study_stem_of(const fs::path& file) {
   const fs::path stem = file.stem();
   return stem.extension() == ".study" ? stem.stem().string() : stem.string();
@@ -43,15 +45,17 @@ problems::Study stored_study(SqliteDatabase& database) {
 tl::expected<std::string, std::string> text_of(const fs::path& file, std::int64_t id) {
   const auto name = file.string();
   try {
-    SqliteDatabase database(file, SqliteDatabase::Access::read);
+    auto database = study_rows(file, {.first = id, .most = 1});
     if (database.integer("PRAGMA application_id") != kStudyApplicationId) {
-      return tl::unexpected(fmt::format("'{}' is no study file; expected NAME.study.db", name));
+      return tl::unexpected(
+          fmt::format("'{}' is no study file; expected NAME.study.db or NAME.study.h5", name));
     }
     const auto study = stored_study(database);
     const auto row = row_of(database, study, id);
     if (!row) {
-      return tl::unexpected(fmt::format(
-          "'{}' has no row {}; the ids of its rows are those of SELECT id FROM runs", name, id));
+      return tl::unexpected(
+          fmt::format("'{}' has no row {}; the ids of its rows are those of {}", name, id,
+                      is_columns_file(file) ? "the column runs/id" : "SELECT id FROM runs"));
     }
     check_rows(database, id);
     std::vector<double> values;
@@ -61,6 +65,8 @@ tl::expected<std::string, std::string> text_of(const fs::path& file, std::int64_
     return problems::design_text(study, values);
   } catch (const SqliteError& error) {
     return tl::unexpected(fmt::format("cannot read '{}' as a study file: {}", name, error.what()));
+  } catch (const StudyFileError& error) {
+    return tl::unexpected(std::string(error.what()));
   } catch (const nlohmann::json::exception&) {
     return tl::unexpected(fmt::format("'{}' is damaged: it has no names of its columns", name));
   } catch (const std::bad_variant_access&) {

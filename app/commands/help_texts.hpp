@@ -100,14 +100,15 @@ inline constexpr const char* kSweepFooter = R"(Output:
     NAME.report.html   the rows in plots with filters (not with --json, unless
                        --out is given)
   With --format hdf5 NAME.study.h5, too, has the rows, as columns that h5py and
-  pandas read.
+  pandas read, and as --merge and cognate export --row take them. No run goes on
+  with it: only --merge takes its rows over.
   Ctrl-C and --time-limit end the run. The same command continues it, and the
   rows are then those of a run that was never stopped.
   The same file, seed and version give the same rows with any number of threads
   and of processes.
   --part 2/5 evaluates the second of five parts of the designs, on a machine of
   its own; --merge, which may be given several times, takes over the rows of
-  such a file, and what is missing then is evaluated.
+  such a file, .db or .h5, and what is missing then is evaluated.
   mpirun runs a study on many processes and machines that see the same files,
   each with one thread unless --threads says otherwise.
 
@@ -118,6 +119,7 @@ Examples:
   cognate sweep sizes.toml --format hdf5
   cognate sweep sizes.toml --part 1/2
   cognate sweep sizes.toml --merge other/sizes.study.db
+  cognate sweep sizes.toml --merge sizes.study.h5 --out again
   mpirun -n 64 cognate sweep sizes.toml --out results)";
 
 /// What `cognate export` writes of linkages stands between these two, by the formats' own words.
@@ -158,8 +160,8 @@ inline constexpr const char* kExportTail =
   a boss of --hub-length L: NAME.step, NAME.pinion.stl; in millimetres.
   Lengths are those of the problem; drawings have no unit of length. Polygons
   are nowhere farther from their curve than the chord tolerance.
-  With --row, from a study file NAME.study.db: NAME.ROW.toml, the base file of
-  the study with the numbers of that design.
+  With --row, from a study file NAME.study.db or NAME.study.h5: NAME.ROW.toml,
+  the base file of the study with the numbers of that design.
 
 Examples:
   cognate export press.result.json --format dxf --position 45

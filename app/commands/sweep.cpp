@@ -26,6 +26,7 @@
 #include "app/study/merge.hpp"
 #include "app/study/metrics.hpp"
 #include "app/study/processes.hpp"
+#include "app/study/read_columns.hpp"
 #include "app/study/read_rows.hpp"
 #include "app/study/run.hpp"
 #include "app/study/summary.hpp"
@@ -204,6 +205,20 @@ ExitStatus report(const Sweep& sweep, StudyDatabase& database, StudySummary& sum
   return summary.counts.kept > 0 ? exit_done : exit_no_design;
 }
 
+/// Says that a run does not go on with the columns where its database would be, which is a fault
+/// if they would be replaced; empty if there is nothing to say.
+std::string unused_columns(const Sweep& sweep, const fs::path& database) {
+  std::error_code error;
+  const auto columns = sweep.path(".study.h5");
+  if (fs::exists(database, error) || !fs::is_regular_file(columns, error)) return "";
+  const auto is_it = [&](const fs::path& file) { return fs::equivalent(file, columns, error); };
+  if (std::ranges::any_of(sweep.own.merged, is_it)) return "";
+  return fmt::format(
+      "'{0}' may hold rows of this study, but a run goes on with NAME.study.db alone; "
+      "--merge {0} takes them over",
+      columns.lexically_normal().string());
+}
+
 /// The part of the process that stores the rows.
 ExitStatus direct(const Sweep& sweep, StudyProcesses& processes, std::string_view input) {
   std::vector<std::string> names{sweep.stem + ".study.db", sweep.stem + ".report.html"};
@@ -211,6 +226,13 @@ ExitStatus direct(const Sweep& sweep, StudyProcesses& processes, std::string_vie
   auto ready = prepare_folder(sweep.folder, names);
   if (ready && sweep.own.writes_columns) ready = find_columns_module();
   const auto file = final_target(sweep.path(".study.db"));
+  if (const auto unused = ready ? unused_columns(sweep, file) : ""; !unused.empty()) {
+    if (sweep.own.writes_columns) {
+      ready = tl::unexpected(unused + ", or remove it");
+    } else if (!sweep.options.quiet) {
+      complain("note: " + unused);
+    }
+  }
   const auto lock = ready ? StudyLock::take(lock_file(file)) : tl::unexpected(ready.error());
   std::optional<StudyDatabase> database;
   std::vector<std::string> merged;
@@ -254,6 +276,13 @@ ExitStatus sweep_command(const fs::path& file, const Options& options, const Swe
                          StudyProcesses& processes) {
   // A file that may not grow is then an error of writing like any other.
   std::signal(SIGXFSZ, SIG_IGN);
+  if (is_columns_file(file) || file.extension() == ".db") {
+    processes.agree(false, "");
+    return refuse_study(
+        fmt::format("'{0}' holds rows; expected their study, NAME.toml, which takes "
+                    "them over by --merge {0}",
+                    file.string()));
+  }
   // Once: a pipe gives its text no second time. Ctrl-C ends the program while it waits for one.
   const auto text = problems::reading::text_of(file);
   const auto study = text ? problems::parse_study(*text, folder_of(file), study_metrics)

@@ -25,11 +25,13 @@
 #include "app/python/problem.hpp"
 #include "app/python/watch.hpp"
 #include "app/report/study_report.hpp"
+#include "app/study/checksum.hpp"
 #include "app/study/crew.hpp"
 #include "app/study/database.hpp"
 #include "app/study/evaluator.hpp"
 #include "app/study/lock.hpp"
 #include "app/study/metrics.hpp"
+#include "app/study/read_columns.hpp"
 #include "app/study/read_rows.hpp"
 #include "app/study/run.hpp"
 #include "app/study/sqlite.hpp"
@@ -178,7 +180,8 @@ py::dict read_rows(const std::string& file, const py::object& from, const py::ob
   {
     const py::gil_scoped_release unlocked;
     try {
-      app::SqliteDatabase database(file, app::SqliteDatabase::Access::read);
+      auto database = app::study_rows(file, {.first = first, .most = most < 0 ? kMost : most});
+      if (app::is_columns_file(file)) app::check_rows(database);
       auto known = app::stored_names(database, "variables");
       std::ranges::move(app::stored_names(database, "metrics"), std::back_inserter(known));
       for (const std::string& name : wanted.empty() ? known : wanted) {

@@ -48,7 +48,8 @@ std::string names_of(const CommandWords& command) {
   return all;
 }
 
-/// What may follow an option with an argument: certain values, a folder, or what nobody can guess.
+/// What may follow an option with an argument: certain values, files, a folder, or what nobody can
+/// guess.
 std::string value_cases(const CommandWords& command) {
   std::string text;
   for (const auto& option : command.options) {
@@ -58,6 +59,9 @@ std::string value_cases(const CommandWords& command) {
     if (!option.values.empty()) {
       text += fmt::format("    {}) _cognate_words '{}' \"$current\"; return ;;\n", pattern,
                           joined(option.values, " "));
+    } else if (const auto endings = option.endings(); !endings.empty()) {
+      text += fmt::format("    {}) _cognate_files \"$current\" {}; return ;;\n", pattern,
+                          joined(endings, " "));
     } else if (option.takes_folder()) {
       text += fmt::format("    {}) _cognate_files \"$current\"; return ;;\n", pattern);
     } else {

@@ -22,6 +22,10 @@ std::string line_of(const OptionWords& option, const std::string& condition) {
   }
   if (!option.argument.empty()) text += " -x";
   if (!option.values.empty()) text += " -a " + in_fish_quotes(joined(option.values, " "));
+  if (const auto endings = option.endings(); !endings.empty()) {
+    text += fmt::format(" -k -a '(__fish_complete_suffix {})'",
+                        joined(endings, "; __fish_complete_suffix "));
+  }
   if (option.takes_folder()) text += " -a '(__fish_complete_directories)'";
   return text + " -d " + in_fish_quotes(option.meaning) + '\n';
 }

@@ -25,6 +25,9 @@ std::string argument_of(const OptionWords& option) {
   if (!option.values.empty()) {
     return fmt::format(":{}:({})", name, joined(option.values, " "));
   }
+  if (const auto endings = option.endings(); !endings.empty()) {
+    return fmt::format(":{}:_files -g \"*{}\"", name, joined(endings, " *"));
+  }
   return fmt::format(":{}:{}", name, option.takes_folder() ? "_files -/" : " ");
 }
 

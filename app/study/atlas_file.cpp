@@ -11,6 +11,8 @@
 #include "analysis/linkage/mobility.hpp"
 #include "analysis/numbers/constants.hpp"
 #include "app/study/checksum.hpp"
+#include "app/study/database.hpp"
+#include "app/study/read_columns.hpp"
 #include "app/study/read_rows.hpp"
 #include "app/study/schema.hpp"
 #include "app/study/sqlite.hpp"
@@ -139,7 +141,7 @@ tl::expected<std::vector<AtlasCurve>, std::string> read_atlas(const std::filesys
                           "fourier.* and fourier_phase_deg.*");
   };
   try {
-    SqliteDatabase database(file, SqliteDatabase::Access::read);
+    auto database = study_rows(file);
     if (database.integer("PRAGMA application_id") != kStudyApplicationId) {
       return refused("it is no study file");
     }
@@ -149,6 +151,8 @@ tl::expected<std::vector<AtlasCurve>, std::string> read_atlas(const std::filesys
     return curves;
   } catch (const Misfit& misfit) {
     return refused(misfit.text);
+  } catch (const StudyFileError& error) {
+    return refused(error.what());
   } catch (const SqliteError& error) {
     return refused(fmt::format("it cannot be read: {}", error.what()));
   } catch (const nlohmann::json::exception&) {

@@ -62,6 +62,22 @@ void Checksum::add(const problems::Cell& cell) {
   if (const auto* word = std::get_if<std::string>(&cell)) add(std::string_view(*word));
 }
 
+const std::array<const char*, kBlockColumns>& block_columns() {
+  static constexpr std::array<const char*, kBlockColumns> kNames{
+      "first",      "count",       "kept",    "filtered",     "solved",
+      "infeasible", "no_solution", "invalid", "has_checksum", "checksum"};
+  return kNames;
+}
+
+std::int64_t texts_checksum(const std::vector<std::pair<std::string, std::string>>& texts) {
+  Checksum sum;
+  for (const auto& [name, text] : texts) {
+    sum.add(std::string_view(name));
+    sum.add(std::string_view(text));
+  }
+  return sum.value();
+}
+
 std::int64_t check_rows(SqliteDatabase& database, std::optional<std::int64_t> design) {
   auto blocks = blocks_with_sums(database, design);
   auto rows = database.prepare("SELECT * FROM runs WHERE id >= ? ORDER BY id");

@@ -1,9 +1,14 @@
 /// @file Checksums of the blocks of a study file, by which a changed row is found.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "app/study/sqlite.hpp"
 #include "problems/study/block.hpp"
@@ -32,6 +37,14 @@ inline constexpr int kBlockCounts = 7;
 /// The statement that makes the table of checksums where there is none.
 inline constexpr const char* kChecksumTable =
     "CREATE TABLE IF NOT EXISTS checksums (first INTEGER PRIMARY KEY, sum INTEGER NOT NULL)";
+
+/// The columns of `blocks` and what `checksums` has of them, as files of columns have them:
+/// `first`, the counts, `has_checksum`, `checksum`.
+inline constexpr std::size_t kBlockColumns = kBlockCounts + 3;
+const std::array<const char*, kBlockColumns>& block_columns();
+
+/// The checksum of texts and their names, as of the table `study`.
+std::int64_t texts_checksum(const std::vector<std::pair<std::string, std::string>>& texts);
 
 /// Checks that the rows in a study file are those that were stored, by the checksums
 /// of all blocks, or of that of one `design`. Gives the number of blocks that have none, stored by

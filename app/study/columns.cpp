@@ -11,6 +11,7 @@
 
 #include "app/console/option_text.hpp"
 #include "app/documents/module.hpp"
+#include "app/study/checksum.hpp"
 #include "app/study/metrics.hpp"
 #include "problems/basics/length_unit.hpp"
 #include "problems/study/names.hpp"
@@ -69,37 +70,45 @@ std::vector<std::string> columns_of_words(SqliteDatabase& database,
   return words;
 }
 
-/// The longest word of each of `words`, in bytes; a number among them is a word, too.
-std::map<std::string, std::size_t> word_lengths(SqliteDatabase& database,
-                                                const std::vector<std::string>& words) {
-  std::map<std::string, std::size_t> lengths;
-  if (words.empty()) return lengths;
+/// The longest word of each of `words`, in bytes; a number among them is a word, too. Where there
+/// are numbers or empty words, it has kinds.
+std::map<std::string, ColumnHead> word_heads(SqliteDatabase& database,
+                                             const std::vector<std::string>& words) {
+  std::map<std::string, ColumnHead> heads;
+  if (words.empty()) return heads;
   const auto longest = select_each(database, "max(length(CAST({} AS BLOB)))", words);
   const auto least = select_each(database, "min({})", words);
   for (std::size_t i = 0; i < words.size(); ++i) {
     const int column = static_cast<int>(i);
-    const auto length = static_cast<std::size_t>(longest.integer(column));
-    lengths[words[i]] = least.is_text(column) ? length : std::max(length, kNumberBytes);
+    const auto length = std::max<std::int64_t>(longest.integer(column), 1);
+    auto& head = heads[words[i]];
+    head.bytes = static_cast<std::size_t>(length);
+    if (!least.is_text(column)) head.bytes = std::max(head.bytes, kNumberBytes);
+    head.has_kinds = !least.is_text(column) || least.view(column).empty();
   }
-  return lengths;
+  return heads;
 }
 
 std::vector<ColumnHead> column_heads(SqliteDatabase& database, const problems::Study& study) {
-  const auto lengths = word_lengths(database, columns_of_words(database, study.metrics));
+  auto words = word_heads(database, columns_of_words(database, study.metrics));
   std::vector<ColumnHead> heads;
   for (const auto& name : problems::study_columns(study)) {
-    const auto found = lengths.find(name);
-    heads.push_back({name, unit_of(name, study), found == lengths.end() ? 0 : found->second});
+    ColumnHead& head = heads.emplace_back(std::move(words[name]));
+    head.name = name;
+    head.unit = unit_of(name, study);
   }
-  heads.push_back({"status", "", kStatusBytes});
+  heads.push_back({.name = "status", .unit = "", .bytes = kStatusBytes});
   return heads;
 }
 
 ColumnsHead head_of(SqliteDatabase& database, const problems::Study& study) {
   ColumnsHead head{.columns = column_heads(database, study),
-                   .rows = database.integer("SELECT count(*) FROM runs")};
+                   .rows = database.integer("SELECT count(*) FROM runs"),
+                   .block_columns = {block_columns().begin(), block_columns().end()},
+                   .blocks = database.integer("SELECT count(*) FROM blocks")};
   auto rows = database.prepare("SELECT name, value FROM study ORDER BY rowid");
   while (rows.step()) head.study.emplace_back(rows.text(0), rows.text(1));
+  head.study_checksum = texts_checksum(head.study);
   if (study.objectives.size() < 2) return head;
   head.front.emplace();
   auto front = database.prepare("SELECT id FROM front ORDER BY id");
@@ -117,6 +126,10 @@ void add_word(std::string& words, const SqliteStatement& row, int column, std::s
   words.resize(end, '\0');
 }
 
+char kind_of(const SqliteStatement& row, int column) {
+  return static_cast<char>(row.cell(column).index());
+}
+
 /// Rows of a study file, some at once.
 class RowReader {
  public:
@@ -128,6 +141,8 @@ class RowReader {
     rows.ids.clear();
     rows.numbers.resize(width);
     rows.words.resize(width);
+    rows.kinds.resize(width);
+    for (auto& kinds : rows.kinds) kinds.clear();
     for (auto& numbers : rows.numbers) numbers.clear();
     for (auto& words : rows.words) words.clear();
     while (rows.ids.size() < kRowsAtOnce && read_ < head_.rows && rows_.step()) add(rows);
@@ -143,6 +158,7 @@ class RowReader {
       const int column = static_cast<int>(i) + 1;
       if (const auto bytes = head_.columns[i].bytes; bytes > 0) {
         add_word(rows.words[i], rows_, column, bytes);
+        if (head_.columns[i].has_kinds) rows.kinds[i].push_back(kind_of(rows_, column));
       } else {
         rows.numbers[i].push_back(rows_.is_null(column) ? std::numeric_limits<double>::quiet_NaN()
                                                         : rows_.real(column));
@@ -154,6 +170,28 @@ class RowReader {
   const ColumnsHead& head_;
   SqliteStatement rows_;
   std::int64_t read_ = 0;
+};
+
+/// Blocks of a study file, some at once.
+class BlockReader {
+ public:
+  explicit BlockReader(SqliteDatabase& database)
+      : blocks_(database.prepare("SELECT b.*, c.sum IS NOT NULL, ifnull(c.sum, 0) FROM blocks b "
+                                 "LEFT JOIN checksums c ON c.first = b.first ORDER BY b.first")) {}
+
+  bool next(std::vector<std::vector<std::int64_t>>& blocks) {
+    blocks.assign(kBlockColumns, {});
+    while (more_ && blocks.front().size() < kRowsAtOnce && (more_ = blocks_.step())) {
+      for (std::size_t i = 0; i < kBlockColumns; ++i) {
+        blocks[i].push_back(blocks_.integer(static_cast<int>(i)));
+      }
+    }
+    return !blocks.front().empty();
+  }
+
+ private:
+  SqliteStatement blocks_;
+  bool more_ = true;  ///< a statement that is stepped at its end begins anew
 };
 
 }  // namespace
@@ -176,6 +214,7 @@ FileResult write_columns(const fs::path& file, SqliteDatabase& database,
                          const std::function<void(std::int64_t)>& progress) {
   const auto head = head_of(database, study);
   RowReader reader(database, head);
+  BlockReader blocks(database);
   std::string fault;
   const int error = write_whole_file(file, [&](const fs::path& draft) {
     const int failed = writer()(
@@ -184,6 +223,7 @@ FileResult write_columns(const fs::path& file, SqliteDatabase& database,
           progress(reader.read());
           return !stopped && reader.next(rows);
         },
+        [&](std::vector<std::vector<std::int64_t>>& some) { return !stopped && blocks.next(some); },
         fault);
     return stopped ? ECANCELED : failed;
   });

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "app/study/checksum.hpp"
+#include "app/study/read_columns.hpp"
 #include "app/study/read_rows.hpp"
 #include "app/study/schema.hpp"
 #include "problems/study/names.hpp"
@@ -26,6 +27,9 @@ constexpr std::int64_t kCommitRows = 50'000;
 /// What SQLite's error means for a study, and what helps.
 std::string explained(const SqliteError& error, const std::filesystem::path& file) {
   const auto name = file.string();
+  if (is_columns_file(file) && error.code() == SQLITE_CORRUPT) {
+    return fmt::format("'{}' is damaged ({}); write it again by --format hdf5", name, error.what());
+  }
   switch (error.code()) {
     case SQLITE_NOTADB:
       return fmt::format("'{}' is no study file; move it away, or give another folder by --out",
@@ -59,10 +63,6 @@ std::string explained(const SqliteError& error, const std::filesystem::path& fil
     default:
       return fmt::format("cannot use '{}': {}", name, error.what());
   }
-}
-
-std::size_t column_of(const std::vector<std::string>& columns, const std::string& name) {
-  return static_cast<std::size_t>(std::ranges::find(columns, name) - columns.begin());
 }
 
 Identity stored_identity(SqliteDatabase& connection) {
@@ -144,6 +144,7 @@ namespace {
 
 SqliteDatabase opened(const std::filesystem::path& file, SqliteDatabase::Access access) {
   try {
+    if (access == SqliteDatabase::Access::read) return study_rows(file);
     return {file, access};
   } catch (const SqliteError& error) {
     throw StudyFileError(explained(error, file));
@@ -157,11 +158,8 @@ StudyDatabase::StudyDatabase(std::filesystem::path file, const problems::Study& 
     : file_(std::move(file)),
       designs_(problems::design_count(study)),
       width_(problems::study_columns(study).size()),
+      objectives_(objective_columns(study)),
       connection_(opened(file_, access)) {
-  const auto columns = problems::study_columns(study);
-  for (const auto& objective : study.objectives) {
-    objectives_.emplace_back(column_of(columns, objective.name), objective.greatest ? -1.0 : 1.0);
-  }
   guarded([&] {
     const auto identity = study_identity(study, origin);
     const bool writes = access == SqliteDatabase::Access::write_or_create;

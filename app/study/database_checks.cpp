@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/study/database.hpp"
+#include "app/study/read_rows.hpp"
 #include "app/study/schema.hpp"
 
 namespace cognate::app {
@@ -45,20 +46,7 @@ void StudyDatabase::check_blocks() {
 void StudyDatabase::load_front() {
   if (objectives_.empty()) return;
   // From the rows, which their checksums vouch for: nothing vouches for the stored one.
-  auto rows = connection_.prepare("SELECT * FROM runs WHERE status = 'solved'");
-  std::vector<std::int64_t> left;
-  StudyFront::Point point{.objectives = std::vector<double>(objectives_.size())};
-  while (rows.step()) {
-    bool has_all = true;
-    for (std::size_t i = 0; i < objectives_.size() && has_all; ++i) {
-      const auto& [column, sign] = objectives_[i];
-      const int place = static_cast<int>(column) + 1;
-      has_all = !rows.is_null(place);
-      if (has_all) point.objectives[i] = sign * rows.real(place);
-    }
-    point.id = rows.integer(0);
-    if (has_all) front_.add(point, left);
-  }
+  front_ = front_of_rows(connection_, objectives_);
   std::vector<std::int64_t> ids;
   for (const auto& member : front_.points()) ids.push_back(member.id);
   std::ranges::sort(ids);

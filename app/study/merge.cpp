@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/study/design_range.hpp"
+#include "app/study/read_columns.hpp"
 
 namespace cognate::app {
 namespace {
@@ -35,9 +36,12 @@ OtherStudyFile::OtherStudyFile(const fs::path& file, const fs::path& own,
   if (fs::file_size(target, error) == 0) {
     throw StudyFileError(fmt::format("--merge: '{}' is empty", file.string()));
   }
-  auto lock = StudyLock::take(lock_file(target));
-  if (!lock) throw StudyFileError(lock.error());
-  lock_.emplace(*std::move(lock));
+  // Columns are written whole, and no run goes on with them.
+  if (!is_columns_file(target)) {
+    auto lock = StudyLock::take(lock_file(target));
+    if (!lock) throw StudyFileError(lock.error());
+    lock_.emplace(*std::move(lock));
+  }
   database_.emplace(target, study, origin, SqliteDatabase::Access::read);
 }
 

@@ -68,6 +68,35 @@ StudyRows rows_of(SqliteDatabase& database, const problems::Study& study, const 
 
 }  // namespace
 
+ObjectiveColumns objective_columns(const problems::Study& study) {
+  const auto columns = problems::study_columns(study);
+  ObjectiveColumns found;
+  for (const auto& objective : study.objectives) {
+    const auto column = std::ranges::find(columns, objective.name) - columns.begin();
+    found.emplace_back(static_cast<std::size_t>(column), objective.greatest ? -1.0 : 1.0);
+  }
+  return found;
+}
+
+StudyFront front_of_rows(SqliteDatabase& database, const ObjectiveColumns& objectives) {
+  StudyFront front;
+  auto rows = database.prepare("SELECT * FROM runs WHERE status = 'solved'");
+  std::vector<std::int64_t> left;
+  StudyFront::Point point{.objectives = std::vector<double>(objectives.size())};
+  while (rows.step()) {
+    bool has_all = true;
+    for (std::size_t i = 0; i < objectives.size() && has_all; ++i) {
+      const auto& [column, sign] = objectives[i];
+      const int place = static_cast<int>(column) + 1;
+      has_all = !rows.is_null(place);
+      if (has_all) point.objectives[i] = sign * rows.real(place);
+    }
+    point.id = rows.integer(0);
+    if (has_all) front.add(point, left);
+  }
+  return front;
+}
+
 StudyRows best_rows(SqliteDatabase& database, const problems::Study& study, std::size_t most) {
   auto rows = rows_of(database, study, best_ids(database, study, most));
   rows.best.assign(rows.ids.size(), true);

@@ -7,8 +7,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "app/study/front.hpp"
 #include "app/study/rows.hpp"
 #include "app/study/sqlite.hpp"
 #include "problems/study/names.hpp"
@@ -29,6 +31,13 @@ void add_row(Rows& rows, const SqliteStatement& statement, int width) {
   if (!status) throw SqliteError(SQLITE_CORRUPT, "a row has an unknown status");
   rows.statuses.push_back(*status);
 }
+
+/// Where the objectives of a study stand among its columns: the column, and −1 for the greatest.
+using ObjectiveColumns = std::vector<std::pair<std::size_t, double>>;
+ObjectiveColumns objective_columns(const problems::Study& study);
+
+/// The Pareto front of the rows in `database`, which the table `front` should have.
+StudyFront front_of_rows(SqliteDatabase& database, const ObjectiveColumns& objectives);
 
 /// The best rows, at most `most` of them, best first: by the objective, or of the front of several
 /// an even selection in the order of the first; none without objective. All throw SqliteError.

@@ -62,6 +62,12 @@ Identity study_identity(const problems::Study& study, const StudyOrigin& origin)
           {"designs", fmt::format("{}", problems::design_count(study))}};
 }
 
+std::vector<std::string> study_identity_names() {
+  std::vector<std::string> names;
+  for (const auto& row : study_identity({}, {})) names.push_back(row.first);
+  return names;
+}
+
 std::vector<std::string> study_schema(const problems::Study& study) {
   std::string columns;
   for (const auto& name : problems::study_columns(study)) columns += sql_name(name) + ", ";

@@ -19,6 +19,9 @@ inline constexpr const char* kStudyFormat = "cognate-study-file/1";
 std::vector<std::pair<std::string, std::string>> study_identity(const problems::Study& study,
                                                                 const StudyOrigin& origin);
 
+/// The names of these rows, in their order.
+std::vector<std::string> study_identity_names();
+
 /// The statements that make the tables and the view `best`, as SQLite keeps them.
 std::vector<std::string> study_schema(const problems::Study& study);
 

@@ -116,6 +116,16 @@ SqliteDatabase::SqliteDatabase(const std::filesystem::path& file, Access access)
   }
   const int flags =
       access == Access::read ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  connect(name, flags);
+}
+
+SqliteDatabase SqliteDatabase::temporary() {
+  SqliteDatabase database;
+  database.connect("", SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  return database;
+}
+
+void SqliteDatabase::connect(const std::string& name, int flags) {
   sqlite3* connection = nullptr;
   const int code = sqlite3_open_v2(name.c_str(), &connection, flags | SQLITE_OPEN_NOMUTEX, nullptr);
   connection_.reset(connection);

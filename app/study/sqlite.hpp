@@ -69,6 +69,9 @@ class SqliteDatabase {
  public:
   enum class Access { read, write_or_create };
   SqliteDatabase(const std::filesystem::path& file, Access access);
+  /// An empty one that is gone with the connection; what does not fit into some MiB of memory is in
+  /// a file of SQLite's where the system has temporary files.
+  static SqliteDatabase temporary();
 
   SqliteStatement prepare(std::string_view sql);
   /// Runs statements that give no rows.
@@ -85,6 +88,9 @@ class SqliteDatabase {
   struct Close {
     void operator()(sqlite3* connection) const;
   };
+  SqliteDatabase() = default;
+  void connect(const std::string& name, int flags);
+
   std::unique_ptr<sqlite3, Close> connection_;
 };
 

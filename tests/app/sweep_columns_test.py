@@ -18,6 +18,8 @@ from sweeps import PROGRAM, SLIDER, SMALL, Sweeps  # noqa: E402
 
 try:
     import h5py
+
+    import columns_by_hand as by_hand
 except ImportError:
     h5py = None
 
@@ -38,7 +40,7 @@ class Columns(Sweeps):
 
     def assert_same_as_database(self, name="study"):
         rows = self.rows(f"out/{name}.study.db")
-        stored = dict(self.rows(f"out/{name}.study.db", "study"))
+        stored = dict(self.rows(f"out/{name}.study.db", "study ORDER BY rowid"))
         with h5py.File(self.folder / f"out/{name}.study.h5") as file:
             runs = file["runs"]
             columns = [[decoded(value) for value in column[:]] for column in runs.values()]
@@ -54,8 +56,21 @@ class Columns(Sweeps):
             if "front" in file:
                 front = [row[0] for row in self.rows(f"out/{name}.study.db", "front ORDER BY id")]
                 self.assertEqual([int(row) for row in file["front"]], front)
+            self.assert_blocks(file, rows, self.rows(f"out/{name}.study.db", "blocks ORDER BY first"))
+            self.assertEqual(int(file["study"].attrs["checksum"]), by_hand.texts_checksum(stored.items()))
+            self.assertEqual(decoded(file.attrs["format"]), "cognate-study-columns/2")
+            self.assertEqual(list(file["kinds"]), [])
             units = {key: decoded(column.attrs["unit"]) for key, column in runs.items() if "unit" in column.attrs}
         return len(rows), units
+
+    def assert_blocks(self, file, rows, blocks):
+        names = [*by_hand.BLOCKS, "has_checksum", "checksum"]
+        self.assertEqual(list(file["blocks"]), names)
+        expected = [
+            (*block, 1, by_hand.block_checksum(block, [row for row in rows if 0 <= row[0] - block[0] < block[1]]))
+            for block in blocks
+        ]
+        self.assertEqual(list(zip(*(map(int, file["blocks"][name][:]) for name in names))), expected)
 
     def test_columns_have_every_value_of_the_rows(self):
         counts = {}

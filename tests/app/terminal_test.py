@@ -121,7 +121,7 @@ class AtTheTerminal(unittest.TestCase):
         return set(done.stdout.split("\n")) - {""}
 
     def test_bash_completes(self):
-        for name in ("a.toml", "b file.toml", "c.result.json", "d.study.db", "e.txt"):
+        for name in ("a.toml", "b file.toml", "c.result.json", "d.study.db", "d.study.h5", "e.txt"):
             self.write(name, "")
         (self.folder / "folder").mkdir()
         problems = {"a.toml", "b file.toml", "folder"}
@@ -136,7 +136,8 @@ class AtTheTerminal(unittest.TestCase):
             (["cognate", "solve", ""], problems),
             (["cognate", "solve", "b"], {"b file.toml"}),
             (["cognate", "--seed", "1", "check", ""], {*problems, "c.result.json"}),
-            (["cognate", "export", ""], {"c.result.json", "d.study.db", "folder"}),
+            (["cognate", "export", ""], {"c.result.json", "d.study.db", "d.study.h5", "folder"}),
+            (["cognate", "sweep", "a.toml", "--merge", ""], {"d.study.db", "d.study.h5", "folder"}),
             (["cognate", "solve", "--t"], {"--threads", "--time-limit"}),
             (["cognate", "list", "--m"], {"--metrics"}),
             (["cognate", "solve", "--m"], set()),

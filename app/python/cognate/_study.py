@@ -15,12 +15,15 @@ from ._result import Values, _values, make_folder, write_whole
 
 
 class Study:
-    """The rows of a study, kept in its file NAME.study.db; they are read when they are needed."""
+    """The rows of a study, kept in its file NAME.study.db, or as columns in NAME.study.h5.
+
+    They are read when they are needed.
+    """
 
     def __init__(self, file: Union[str, "os.PathLike[str]"], document: Optional[dict[str, Any]] = None,
                  page: str = "") -> None:
         self.file = Path(os.fspath(file))
-        """The study file, an SQLite database."""
+        """The study file, an SQLite database, or columns in HDF5."""
         self.document = document or {}
         """``cognate-study/1``: what it varies, counts, and the best rows; empty where it was opened."""
         self._page = page

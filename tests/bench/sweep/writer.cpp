@@ -3,14 +3,18 @@
 #include <fmt/core.h>
 #include <sys/resource.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <string>
 
 #include "app/study/block_message.hpp"
+#include "app/study/checksum.hpp"
 #include "app/study/columns.hpp"
 #include "app/study/database.hpp"
+#include "app/study/read_columns.hpp"
 #include "tests/support/study_samples.hpp"
 
 namespace {
@@ -66,6 +70,22 @@ void measure(const char* what, std::int64_t blocks, bool keeps,
              static_cast<double>(std::filesystem::file_size(folder / "writer.study.db")) * 0x1p-20);
 }
 
+/// Seconds in which HDF5 gives all rows of `file`, in the portions in which they are read.
+double read_seconds(const std::filesystem::path& file, const problems::Study& study) {
+  constexpr std::int64_t kAtOnce = 1 << 15;
+  auto mark = std::clock();
+  const auto columns = app::open_columns_file(file);
+  const auto rows = columns->length("runs/id").value();
+  auto names = problems::study_columns(study);
+  names.emplace_back("status");
+  if (!columns->open_columns(names, rows)) return INFINITY;
+  app::ColumnRows part;
+  for (std::int64_t from = 0; from < rows; from += kAtOnce) {
+    if (!columns->read(from, std::min(kAtOnce, rows - from), part)) return INFINITY;
+  }
+  return lap(mark);
+}
+
 /// Rows as columns: what HDF5 takes, beside what SQLite gives them at.
 void measure_columns(std::int64_t blocks) {
   const tests::TestFolder folder;
@@ -88,6 +108,24 @@ void measure_columns(std::int64_t blocks) {
   fmt::print(
       "\nrows as columns per processor second: {:.3g} ({}), {:.2f} of SQLite's steps alone\n",
       rows / whole, written ? "whole" : written.error(), stepped / whole);
+  const double read = read_seconds(folder / "writer.study.h5", study);
+  fmt::print("rows read from columns: {:.3g}, {:.2f} of SQLite's steps alone\n", rows / read,
+             stepped / read);
+  lap(mark);
+  auto taken = app::study_rows(folder / "writer.study.h5");
+  const double loaded = lap(mark);
+  app::check_rows(taken);
+  const double checked = lap(mark);
+  app::check_rows(database.connection());
+  fmt::print(
+      "put into a database: {:.3g}, {:.2f} of SQLite's steps; with their checksums {:.2f} of a "
+      "database with its own\n",
+      rows / loaded, stepped / loaded, lap(mark) / (loaded + checked));
+  lap(mark);
+  const auto last = database.connection().integer("SELECT max(id) FROM runs");
+  auto one = app::study_rows(folder / "writer.study.h5", {.first = last, .most = 1});
+  app::check_rows(one, last);
+  fmt::print("one row of them: {:.2g} ms\n", 1e3 * lap(mark));
 }
 
 }  // namespace
