@@ -16,9 +16,9 @@ namespace {
 constexpr int kRound = 32;             ///< starts between two looks at what was found
 constexpr std::size_t kKept = 24;      ///< designs kept while searching
 constexpr std::size_t kFinished = 12;  ///< of which so many are finished with more nodes
-/// Of the starts those that disturb a design found, of others those that are about a published leg,
-/// of which there are many that lead to other valleys.
+/// Of the starts those that disturb a design found, of others those that are about a published leg.
 constexpr double kHopShare = 0.5, kHopShareBesideKnown = 0.35, kKnownShare = 0.9;
+constexpr double kScatteredShare = 0.6;  ///< of these such with its lengths alone
 constexpr int kSearchNodes = 21, kFinalNodes = 65;
 constexpr int kSearchIterations = 60, kFinalIterations = 120;
 constexpr int kSearchExchanges = 3, kFinalExchanges = 30;
@@ -141,7 +141,10 @@ class LegExplorer {
       return design;
     }
     if (space_.known && uniform(random, 0, 1) < kKnownShare) {
-      return draw_beside_known(space_, random);
+      if (uniform(random, 0, 1) < kScatteredShare) return draw_beside_known(space_, random);
+      synthesis::ChainDesign chain = *space_.known;
+      disturb(chain, 1e-3, 0.3, random);
+      return with_stance(space_, std::move(chain));
     }
     return draw_leg(space_, random);
   }

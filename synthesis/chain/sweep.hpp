@@ -121,7 +121,7 @@ inline bool is_lost(const ChainView<double>& chain, const ChainPlace<double>& ou
 /// Leads three-pin links from where they stand in `out` to `crank`, never across the angle 0, from
 /// which they are led at first.
 inline void lead_on(const ChainView<double>& chain, const Vec2d& crank, ChainPlace<double>& out) {
-  constexpr double kStep = kTurn / 32;
+  constexpr double kStep = kTurn / 64;
   const double from = in_one_turn(angle_of(out.crank));
   const double way = in_one_turn(angle_of(crank)) - from;
   const int steps = static_cast<int>(std::abs(way) / kStep);

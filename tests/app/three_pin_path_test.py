@@ -204,12 +204,6 @@ class Refused(unittest.TestCase):
                 ('name = "D"', 'name = "K-drawn"', "rename")):
             self.check(text.replace(old, new), word)
 
-    def test_kinds_that_take_none(self):
-        text = problem(target(1, 3), "chain") + CHAIN
-        self.check(text.replace("path-generation", "leg"), "paths alone")
-        self.check(problem(target(1, 3), "three-pin").replace("path-generation", "leg"),
-                   "allowed are")
-
 
 if __name__ == "__main__":
     PROGRAM = sys.argv[1]
