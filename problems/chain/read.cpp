@@ -144,8 +144,7 @@ ChainPathProblem KindTraits<ChainPathProblem>::read(reading::TableReader& docume
   LinkageTables tables(document);
   tables.mechanism.know({kType});
   read_chain_target(tables.target, folder, problem);
-  Wanted wanted = read_traced(tables.target, problem.mechanism, "P");
-  wanted.takes_three_pins = true;
+  const Wanted wanted = read_traced(tables.target, problem.mechanism, "P");
   problem.topologies = read_topologies(document, tables, topologies(problem.mechanism), wanted);
   problem.constraints = read_chain_constraints(tables.constraints);
   read_chain_solve(tables.solve, problem.solve);

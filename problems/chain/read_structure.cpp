@@ -36,11 +36,8 @@ bool is_three_pin_link(TableReader& table) {
 
 class StructureReader {
  public:
-  StructureReader(PartTables& parts, TableReader& mechanism, bool takes_three_pins)
-      : parts_(parts),
-        mechanism_(mechanism),
-        takes_three_pins_(takes_three_pins),
-        before_(mechanism.faults().size()) {
+  StructureReader(PartTables& parts, TableReader& mechanism)
+      : parts_(parts), mechanism_(mechanism), before_(mechanism.faults().size()) {
     topology_.name = kChainWord;
   }
 
@@ -175,11 +172,6 @@ class StructureReader {
   }
 
   void announce_three_pins(TableReader& table, std::string_view joins) {
-    if (!takes_three_pins_) {
-      table.fault("type",
-                  "is \"three-pin\", which paths alone are designed with; expected \"RRR\" or "
-                  "\"RRP\"");
-    }
     for (const std::string_view key : {"names", "length", "lengths", "assembly", "slide"}) {
       if (!table.contains(key)) continue;
       table.know({key});
@@ -218,7 +210,7 @@ class StructureReader {
     if (table.has(kType) && !type) {
       const std::array<std::string_view, 3> words{to_string(DyadType::rrr),
                                                   to_string(DyadType::rrp), kThreePinWord};
-      table.choice_of(kType, std::span(words).first(takes_three_pins_ ? 3 : 2));
+      table.choice_of(kType, words);
       table.know({"joins", "new", "names", "lengths", "length", "assembly", "slide", "slides",
                   "offset", "slot_deg"});
       return false;
@@ -226,9 +218,10 @@ class StructureReader {
     if (is_slider(table)) {
       table.know({"length", "slide"});
     } else if (type && type != DyadType::rrr) {
-      table.fault(kType,
-                  fmt::format("is \"{}\"; a chain is designed of RRR and RRP dyads{}",
-                              to_string(*type), takes_three_pins_ ? " and three-pin links" : ""));
+      table.fault(
+          kType,
+          fmt::format("is \"{}\"; a chain is designed of RRR and RRP dyads and three-pin links",
+                      to_string(*type)));
       table.know({"slide", "slides", "offset", "slot_deg", "length"});
     }
     return true;
@@ -364,7 +357,6 @@ class StructureReader {
 
   PartTables& parts_;
   TableReader& mechanism_;
-  bool takes_three_pins_;
   std::size_t before_;
   Topology topology_;
   std::vector<std::string> names_, made_;  ///< of points; of the program's own
@@ -375,7 +367,7 @@ class StructureReader {
 
 std::optional<Topology> read_structure(PartTables& parts, TableReader& mechanism,
                                        TableReader& target, const Wanted& wanted) {
-  auto topology = StructureReader(parts, mechanism, wanted.takes_three_pins).read();
+  auto topology = StructureReader(parts, mechanism).read();
   const bool is_wanted = topology && choose_wanted(*topology, {parts, mechanism, target}, wanted);
   if (!is_wanted) {
     target.know({wanted.key});

@@ -285,12 +285,22 @@ NamedMechanism named(const Topology& topology, const synthesis::ChainDesign& des
   return Naming(topology, design).take();
 }
 
+std::optional<int> slider_dyad(const NamedMechanism& mechanism, const std::string& pin) {
+  const auto& rows = std::get<ChainDescription>(mechanism.description).dyads;
+  const auto found = std::ranges::find(rows, pin, &DyadDescription::new_point);
+  if (found == rows.end() || found->type != DyadType::rrp) return std::nullopt;
+  auto before = std::ranges::count(rows.begin(), found, DyadType::rrp, &DyadDescription::type);
+  const auto& dyads = mechanism.mechanism.dyads;
+  for (std::size_t i = 0; i < dyads.size(); ++i) {
+    if (std::holds_alternative<Rrp<double>>(dyads[i]) && before-- == 0) return static_cast<int>(i);
+  }
+  return std::nullopt;
+}
+
 std::optional<Guide<double>> guide_of(const NamedMechanism& mechanism, const std::string& pin) {
-  const auto& dyads = std::get<ChainDescription>(mechanism.description).dyads;
-  const auto found = std::ranges::find(dyads, pin, &DyadDescription::new_point);
-  if (found == dyads.end() || found->type != DyadType::rrp) return std::nullopt;
-  const auto index = static_cast<std::size_t>(found - dyads.begin());
-  return std::get<Rrp<double>>(mechanism.mechanism.dyads[index]).guide;
+  const auto dyad = slider_dyad(mechanism, pin);
+  if (!dyad) return std::nullopt;
+  return std::get<Rrp<double>>(mechanism.mechanism.dyads[static_cast<std::size_t>(*dyad)]).guide;
 }
 
 synthesis::ChainDesign dimensions(const Topology& topology, const NamedMechanism& mechanism) {

@@ -106,6 +106,10 @@ synthesis::Chain chain_of(const Topology& topology);
 /// The mechanism that `design` is, with the names of `topology`.
 NamedMechanism named(const Topology& topology, const synthesis::ChainDesign& design);
 
+/// Which of the mechanism's dyads the slider with this pin is; a three-pin link counts there as
+/// more than one. Empty where there is no such slider.
+std::optional<int> slider_dyad(const NamedMechanism& mechanism, const std::string& pin);
+
 /// The guide of the frame on which the slider with this pin runs; empty where there is none.
 std::optional<Guide<double>> guide_of(const NamedMechanism& mechanism, const std::string& pin);
 

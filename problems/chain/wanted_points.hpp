@@ -15,7 +15,6 @@ struct Wanted {
   std::string_view key;             ///< of `[target]`, which names them
   std::vector<std::string> points;  ///< empty: the path of the last point
   bool slides = false;              ///< the one point is a slider, whose displacement counts
-  bool takes_three_pins = false;    ///< the chain may have three-pin links
 };
 
 /// Where a chain and what is wanted of it stand.

@@ -75,8 +75,8 @@ void read_goal(TableReader& target, TableReader& solve, ChainFunctionProblem& pr
 
 Wanted wanted_output(const ChainFunctionProblem& problem) {
   const auto& [from, to] = problem.output;
-  if (slides(problem)) return {kOutput, {to}, true, true};
-  return {kOutput, {from, to}, false, true};
+  if (slides(problem)) return {kOutput, {to}, true};
+  return {kOutput, {from, to}};
 }
 
 void read_constraints(TableReader& table, ChainFunctionProblem& problem) {

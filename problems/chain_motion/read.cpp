@@ -136,8 +136,7 @@ ChainMotionProblem KindTraits<ChainMotionProblem>::read(reading::TableReader& do
     return problem;
   }
   read_motion_target(tables.target, problem);
-  Wanted wanted = read_traced(tables.target, problem.mechanism, "P");
-  wanted.takes_three_pins = true;
+  const Wanted wanted = read_traced(tables.target, problem.mechanism, "P");
   problem.topologies = read_topologies(document, tables, topologies(problem.mechanism), wanted);
   check_origin(tables.target, problem);
   problem.constraints = read_chain_constraints(tables.constraints);

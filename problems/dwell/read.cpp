@@ -113,8 +113,8 @@ void read_dwell_target(TableReader& target, DwellProblem& problem) {
 
 Wanted wanted_output(const DwellProblem& problem) {
   const auto& [from, to] = problem.output;
-  if (slides(problem)) return {kOutput, {to}, true, true};
-  return {kOutput, {from, to}, false, true};
+  if (slides(problem)) return {kOutput, {to}, true};
+  return {kOutput, {from, to}};
 }
 
 void read_dwell_constraints(TableReader& constraints, DwellConstraints& limits) {

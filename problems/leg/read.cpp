@@ -71,8 +71,7 @@ LegProblem KindTraits<LegProblem>::read(reading::TableReader& document,
   const auto known = leg_topologies(problem.mechanism);
   read_leg_target(tables.target, problem.target);
   read_near(tables.mechanism, problem);
-  Wanted wanted = read_traced(tables.target, problem.mechanism, foot_of(known));
-  wanted.takes_three_pins = true;
+  const Wanted wanted = read_traced(tables.target, problem.mechanism, foot_of(known));
   problem.topologies = read_topologies(document, tables, known, wanted);
   problem.constraints.transmission_angle =
       read_chain_transmission(tables.constraints).value_or(problem.constraints.transmission_angle);

@@ -46,7 +46,7 @@ inline constexpr NumberRule kAngle{[](double x) { return x >= -36000 && x <= 360
 
 inline constexpr NumberRule kSweep{
     [](double x) { return x != 0 && is_magnitude(x) && x >= -360 && x <= 360; },
-    "an angle in degrees from -360 to 360, not 0,"};
+    "an angle in degrees from -360 to 360 other than 0"};
 
 /// How far a slider moves, against its direction where negative.
 inline constexpr NumberRule kTravel{[](double x) { return x != 0 && is_magnitude(x); },

@@ -23,6 +23,49 @@ SAMPLES = 3600
 LIMITS = "[constraints]\ntransmission_angle_deg = [30, 150]\n"
 
 
+SLIDER = """kind = "function-generation"
+[target]
+function = "x"
+domain = [0, 1]
+input_range_deg = 140
+output_range = 100
+output = "S"
+objective = "minimax"
+[mechanism]
+type = "chain"
+[[pivot]]
+name = "A"
+at = [0, 0]
+[[pivot]]
+name = "D"
+[[pivot]]
+name = "G"
+[crank]
+at = "A"
+pin = "B"
+[[dyad]]
+type = "three-pin"
+joins = ["B", "D", "G"]
+new = ["C", "E", "F"]
+[[point]]
+name = "K"
+on = ["G", "F"]
+[[dyad]]
+type = "RRP"
+joins = "K"
+new = "S"
+[bounds]
+length = [20, 300]
+pivots = [[-400, -400], [400, 400]]
+point = [[-300, -300], [300, 300]]
+[constraints]
+transmission_angle_deg = [30, 150]
+[solve]
+designs = 1
+starts = STARTS
+"""
+
+
 def run(text, command="solve"):
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "problem.toml"
@@ -108,6 +151,29 @@ class Outputs(unittest.TestCase):
         self.assertGreaterEqual(metrics["step_height"], 0.3 - 1e-6)
         self.assertAlmostEqual(max(p.real for p in stance) - min(p.real for p in stance), 1, delta=2e-3)
         self.assertAlmostEqual(max(p.imag for p in stance) - low, metrics["flatness"], delta=2e-3)
+
+    def test_a_slider_after_the_link(self):
+        """Its displacement is recomputed from where the link's pin stands."""
+        text = SLIDER.replace("STARTS", "48")
+        best = solved(text)["designs"][0]
+        rows = {row["new"]: row for row in best["mechanism"]["dyad"] if row.get("type") == "RRP"}
+        self.assertEqual(list(rows), ["S"])
+        self.assertTrue(math.isfinite(best["error"]["max"]))
+        self.assertLess(best["error"]["max"], 20)
+        group = next(row for row in best["mechanism"]["dyad"] if row["type"] == "group")
+        moved = three_pin_paths.Design({**best["mechanism"], "dyad": [group]})
+        slide, (length,) = rows["S"]["slide"], rows["S"]["lengths"]
+        along = cmath.rect(1, math.radians(slide["direction_deg"]))
+        foot = complex(*next(row["at"] for row in best["mechanism"]["pivot"] if row["name"] == slide["through"]))
+        missed, sign = [], 1 if rows["S"]["assembly"] == "open" else -1
+        for i in range(15):
+            share = i / 14
+            carrier = moved.places_after(math.radians((best["metrics"]["input_start_deg"] + 140 * share) % 360))["K"]
+            away = ((carrier - foot) / along).imag - slide["offset"]
+            self.assertLess(abs(away), length)
+            missed.append(((carrier - foot) / along).real + sign * math.sqrt(length**2 - away**2) - 100 * share)
+        self.assertLessEqual((max(missed) - min(missed)) / 2, best["error"]["max"] * (1 + 1e-6))
+        self.assertGreater((max(missed) - min(missed)) / 2, 0.5 * best["error"]["max"])
 
     def test_what_is_not_for_them_is_refused(self):
         function = ('kind = "function-generation"\n[target]\nfunction = "x"\ndomain = [0, 1]\ninput_range_deg = 90\n'

@@ -4,6 +4,8 @@
 #include <utility>
 #include <variant>
 
+#include "problems/chain/topology.hpp"
+
 namespace cognate::problems {
 namespace {
 
@@ -24,10 +26,9 @@ OutputQuestion asked(const NamedMechanism& mechanism, ToleranceQuestion question
 
 /// The body of the slider with this pin, not that of the link that is pinned to it.
 std::optional<int> slider_of(const NamedMechanism& mechanism, const std::string& pin) {
-  const auto& dyads = std::get<ChainDescription>(mechanism.description).dyads;
-  const auto found = std::ranges::find(dyads, pin, &DyadDescription::new_point);
-  if (found == dyads.end() || found->type != DyadType::rrp) return std::nullopt;
-  return first_body(mechanism.mechanism, static_cast<int>(found - dyads.begin())) + 1;
+  const auto dyad = slider_dyad(mechanism, pin);
+  if (!dyad) return std::nullopt;
+  return first_body(mechanism.mechanism, *dyad) + 1;
 }
 
 }  // namespace
