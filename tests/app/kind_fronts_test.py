@@ -103,6 +103,7 @@ class Fronts(unittest.TestCase):
                                       lambda design: design["metrics"]["half_band_deg"], 1.5)
         dwell_test.Designs().check(result, 60)
 
+    @whole_only
     def test_leg(self):
         text = library("leg/klann", "transmission_angle", 192)
         text = text.replace("[35, 145]", "[25, 155]").replace("flatness_max = 0.03", "flatness_max = 0.06")
