@@ -284,7 +284,7 @@ class Hdf5Columns final : public ColumnsFile {
 }  // namespace cognate::app
 
 /// What the program finds in this module.
-extern "C" [[gnu::visibility("default")]] void cognate_open_columns(
+extern "C" [[gnu::visibility("default")]] void cognate_open_columns_2(
     const std::filesystem::path& file,
     cognate::app::ColumnsResult<std::unique_ptr<cognate::app::ColumnsFile>>& opened) {
   cognate::app::begin_hdf5();

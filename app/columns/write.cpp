@@ -148,7 +148,7 @@ void write_columns_file(const std::filesystem::path& path, const ColumnsHead& he
 }  // namespace
 }  // namespace cognate::app
 
-extern "C" [[gnu::visibility("default")]] int cognate_write_columns(
+extern "C" [[gnu::visibility("default")]] int cognate_write_columns_2(
     const std::filesystem::path& file, const cognate::app::ColumnsHead& head,
     const cognate::app::NextColumnRows& next, const cognate::app::NextBlocks& next_blocks,
     std::string& fault) {

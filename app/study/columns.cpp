@@ -29,7 +29,7 @@ constexpr std::size_t kNumberBytes = 24;
 constexpr std::size_t kStatusBytes = 11;
 
 WriteColumns* writer() {
-  static void* const symbol = module_function("cognate-columns.so", "cognate_write_columns");
+  static void* const symbol = module_function("cognate-columns.so", "cognate_write_columns_2");
   return reinterpret_cast<WriteColumns*>(symbol);
 }
 

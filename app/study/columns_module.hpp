@@ -58,8 +58,9 @@ using NextColumnRows = std::function<bool(ColumnRows& rows)>;
 /// The same of blocks, a list for each of their columns.
 using NextBlocks = std::function<bool(std::vector<std::vector<std::int64_t>>& blocks)>;
 
-/// `cognate_write_columns`: writes the columns of `head.rows` rows to `file`, which is there; 0, or
-/// the errno of what failed with what HDF5 says of it. What `next` throws goes through.
+/// `cognate_write_columns_2`, whose name counts the interfaces of the module, so that a program
+/// finds its own alone: writes the columns of `head.rows` rows to `file`, which is there; 0, or the
+/// errno of what failed with what HDF5 says of it. What `next` throws goes through.
 using WriteColumns = int(const std::filesystem::path& file, const ColumnsHead& head,
                          const NextColumnRows& next, const NextBlocks& next_blocks,
                          std::string& fault);
@@ -92,7 +93,7 @@ class ColumnsFile {
   virtual ColumnsResult<void> read(std::int64_t from, std::int64_t count, ColumnRows& rows) = 0;
 };
 
-/// `cognate_open_columns`: opens `file` to be read.
+/// `cognate_open_columns_2`: opens `file` to be read.
 using OpenColumns = void(const std::filesystem::path& file,
                          ColumnsResult<std::unique_ptr<ColumnsFile>>& opened);
 

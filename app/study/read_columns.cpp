@@ -48,7 +48,7 @@ Value taken(const fs::path& file, ColumnsResult<Value> result) {
 }
 
 OpenColumns* opener() {
-  static void* const symbol = module_function("cognate-columns.so", "cognate_open_columns");
+  static void* const symbol = module_function("cognate-columns.so", "cognate_open_columns_2");
   return reinterpret_cast<OpenColumns*>(symbol);
 }
 

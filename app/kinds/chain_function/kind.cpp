@@ -26,13 +26,11 @@ constexpr Entry kChainFunctionKeys[] = {
     {"target.output_range", "of a slider: its travel for the values"},
     {"target.output",
      "[\"G\", \"F\"] (default): the output's angle is that from G to F; of a chain also the name "
-     "of "
-     "a slider"},
+     "of a slider"},
     {"mechanism.type",
      "\"six-bar\", \"stephenson-3\", \"watt-2\", \"three-pin\", or \"chain\"; with a slider as "
-     "output "
-     "\"slider-crank\", \"six-bar-slider\", \"stephenson-3-slider\", \"watt-2-slider\"; parts and "
-     "bounds as of path-generation (chains)"},
+     "output \"slider-crank\", \"six-bar-slider\", \"stephenson-3-slider\", \"watt-2-slider\"; "
+     "parts and bounds as of path-generation (chains)"},
     {"constraints.transmission_angle_deg", "[min, max] of every dyad over the motion"},
     {"constraints.over",
      "\"range\" (default): the motion is that of the function; or \"turn\", of the whole crank"},

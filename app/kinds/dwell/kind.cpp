@@ -19,15 +19,12 @@ constexpr Entry kDwellKeys[] = {
     {"target.swing_deg_min", "the least swing of the output over the turn"},
     {"target.output",
      "[\"G\", \"F\"] (default): the output's angle is that from G to F; of a chain also the name "
-     "of "
-     "a slider"},
+     "of a slider"},
     {"target.stroke_min", "of a slider: its least stroke; also apart and dwell.half_band_max"},
     {"mechanism.type",
      "\"six-bar\" (default), \"stephenson-3\", \"watt-2\", \"three-pin\", or \"chain\"; with a "
-     "slider "
-     "as output "
-     "\"six-bar-slider\", \"stephenson-3-slider\", \"watt-2-slider\"; parts and bounds as of "
-     "path-generation (chains)"},
+     "slider as output \"six-bar-slider\", \"stephenson-3-slider\", \"watt-2-slider\"; parts and "
+     "bounds as of path-generation (chains)"},
     {"constraints.transmission_angle_deg", "[min, max] of every dyad over the turn"},
     {"solve.objectives",
      "[\"error\", and one of \"transmission_angle\", of a slider \"size\"]: a Pareto front"}};

@@ -104,6 +104,39 @@ void three_pin_positions(benchmark::State& state) {
 }
 BENCHMARK(three_pin_positions);
 
+/// Positions as far apart as those at which limits of a fit are asked, in the order of the crank.
+constexpr int kStep = 9;
+
+/// Each led to from angle 0.
+void three_pin_checks_from_zero(benchmark::State& state) {
+  const test::PinnedChain of = test::three_pin_chains().front();
+  const test::PosedChain<double> pinned(of.chain, of.design);
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < kPositions; i += kStep) {
+      ChainPlace<double> at;
+      place(pinned.view(), posed.cranks[i], at);
+      benchmark::DoNotOptimize(at.at[pinned.last()]);
+    }
+  }
+  state.SetItemsProcessed(state.iterations() * (kPositions / kStep));
+}
+BENCHMARK(three_pin_checks_from_zero);
+
+/// Each led to from the one before.
+void three_pin_checks_led_on(benchmark::State& state) {
+  const test::PinnedChain of = test::three_pin_chains().front();
+  const test::PosedChain<double> pinned(of.chain, of.design);
+  ChainPlace<double> at;
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < kPositions; i += kStep) {
+      place_next(pinned.view(), posed.cranks[i], at);
+      benchmark::DoNotOptimize(at.at[pinned.last()]);
+    }
+  }
+  state.SetItemsProcessed(state.iterations() * (kPositions / kStep));
+}
+BENCHMARK(three_pin_checks_led_on);
+
 void three_pin_gradients(benchmark::State& state) {
   const test::PinnedChain of = test::three_pin_chains().front();
   const test::PosedChain<double> pinned(of.chain, of.design);
