@@ -14,10 +14,11 @@ template <class Type>
 constexpr auto kKeysOf = entries_of(problems::TypeTraits<Type>::kKeys);
 
 template <>
-constexpr std::array<Entry, 3> kKeysOf<problems::ChainDescription> = {
+constexpr std::array<Entry, 4> kKeysOf<problems::ChainDescription> = {
     {{"[[pivot]]", "points of the frame"},
      {"[crank] or [slider]", "what drives"},
-     {"[[dyad]]", "pairs of bodies, each joined to what is there before"}}};
+     {"[[dyad]]", "pairs of bodies, each joined to what is there before"},
+     {"output", "the body whose motion is the output (default: the last)"}}};
 
 std::vector<KeyedEntry> all_mechanisms() {
   std::vector<KeyedEntry> all;

@@ -6,6 +6,7 @@
 
 #include "analysis/numbers/angle.hpp"
 #include "analysis/numbers/constants.hpp"
+#include "problems/chain/output/body.hpp"
 #include "problems/chain/verify.hpp"
 #include "problems/function/error_peaks.hpp"
 #include "problems/function/slider_generator.hpp"
@@ -115,6 +116,7 @@ Design verified(const ChainFunctionProblem& problem, const FunctionSamples& want
   for (const AnglePair& pair : wanted.samples) {
     design.crank_angles.push_back(in_one_turn(start + pair.input));
   }
+  mechanism.output = output_body(topology, problem.output);
   design.mechanism = std::move(mechanism);
   return design;
 }

@@ -12,6 +12,7 @@
 #include "analysis/numbers/golden_section.hpp"
 #include "problems/basics/degrees.hpp"
 #include "problems/chain/crank_motion.hpp"
+#include "problems/chain/output/body.hpp"
 #include "problems/chain/verify.hpp"
 #include "problems/dwell/space.hpp"
 #include "problems/linkage/verify.hpp"
@@ -192,6 +193,7 @@ Design verified(const DwellProblem& problem, const Topology& topology, NamedMech
   measure_transmission(topology, mechanism, motion, design.metrics);
   check_transmission(problem.constraints.transmission_angle, design);
   check_circuit(topology, mechanism, motion, design);
+  mechanism.output = output_body(topology, problem.output);
   design.mechanism = std::move(mechanism);
   return design;
 }

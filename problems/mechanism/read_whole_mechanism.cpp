@@ -14,6 +14,7 @@ namespace cognate::problems::reading {
 namespace {
 
 constexpr std::string_view kType = "type";
+constexpr std::string_view kOutput = "output";
 
 std::optional<MechanismType> read_type(TableReader& mechanism) {
   if (mechanism.has(kType)) return mechanism.choice<MechanismType>(kType);
@@ -42,6 +43,21 @@ WholeMechanism read_simple(TableReader& document, TableReader& mechanism, Mechan
   return read;
 }
 
+/// The body that `mechanism.output` names, else the last.
+int read_output_body(TableReader& mechanism, const WholeMechanism& chain) {
+  const Mechanism<double>& bodies = chain.mechanism.mechanism;
+  const int last = body_count(bodies) - 1;
+  if (!mechanism.has(kOutput)) return last;
+  const auto mention = read_mention(mechanism, kOutput);
+  const auto body = mention ? find_body(chain.names, *mention, mechanism.faults()) : std::nullopt;
+  if (!body || chain.names.incomplete) return last;
+  if (*body > 1) return *body;
+  mechanism.fault(kOutput, fmt::format("is {}, which {}; expected a body that the drive moves",
+                                       in_quotes(mention->name),
+                                       *body == 0 ? "does not move" : "is the drive itself"));
+  return last;
+}
+
 WholeMechanism read_chain_mechanism(TableReader& document, TableReader& mechanism) {
   Chain chain = read_chain(document, mechanism);
   WholeMechanism read;
@@ -50,7 +66,7 @@ WholeMechanism read_chain_mechanism(TableReader& document, TableReader& mechanis
   read.mechanism.mechanism = std::move(chain.mechanism);
   read.mechanism.description = std::move(chain.description);
   read.mechanism.extra_points = std::move(chain.points);
-  read.mechanism.output = body_count(read.mechanism.mechanism) - 1;
+  read.mechanism.output = read_output_body(mechanism, read);
   return read;
 }
 

@@ -145,6 +145,14 @@ void write_description(const ChainDescription& chain, TableWriter& table) {
   if (!dyads.empty()) table.set("dyad", dyads);
 }
 
+/// Names the output of a chain where it is another body than the last, which it is by default.
+void write_output(const NamedMechanism& mechanism, TableWriter& table) {
+  const int last = static_cast<int>(mechanism.bodies.size()) - 1;
+  const bool is_usual = mechanism.output <= 0 || mechanism.output >= last;
+  if (mechanism.type() != MechanismType::chain || is_usual) return;
+  table.set("output", mechanism.bodies[static_cast<std::size_t>(mechanism.output)]);
+}
+
 }  // namespace
 
 TableWriter mechanism_writer(const NamedMechanism& mechanism) {
@@ -152,6 +160,7 @@ TableWriter mechanism_writer(const NamedMechanism& mechanism) {
   table.set_name("type", mechanism.type());
   std::visit([&](const auto& described) { write_description(described, table); },
              mechanism.description);
+  write_output(mechanism, table);
   Array points;
   for (const PointDescription& point : mechanism.extra_points) {
     points.push_back(

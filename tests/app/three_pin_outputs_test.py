@@ -66,6 +66,43 @@ starts = STARTS
 """
 
 
+# A dyad whose output is its first link.
+FIRST_LINK = """kind = "function-generation"
+[target]
+function = "x"
+domain = [0, 1]
+input_range_deg = 60
+output_range_deg = 30
+output = ["E", "F"]
+[mechanism]
+type = "chain"
+[[pivot]]
+name = "A"
+[[pivot]]
+name = "D"
+[[pivot]]
+name = "G"
+[crank]
+at = "A"
+pin = "B"
+[[dyad]]
+joins = ["B", "D"]
+new = "C"
+[[point]]
+name = "E"
+on = ["B", "C"]
+[[dyad]]
+joins = ["E", "G"]
+new = "F"
+[constraints]
+over = "turn"
+transmission_angle_deg = [30, 150]
+[solve]
+designs = 1
+starts = 16
+"""
+
+
 def run(text, command="solve"):
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "problem.toml"
@@ -76,6 +113,18 @@ def run(text, command="solve"):
 def solved(text):
     done = run(text)
     return json.loads(done.stdout)
+
+
+def analysed(result):
+    """The metrics of the analysis of the first design, exported, and where its last body's columns begin."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "found.result.json"
+        path.write_text(json.dumps(result), encoding="utf-8")
+        written = subprocess.run([PROGRAM, "--json", "export", path, "--format", "toml", "--out", folder], capture_output=True,
+                                 text=True, check=True)
+        (file,) = json.loads(written.stdout)["files"]
+        done = subprocess.run([PROGRAM, "--quiet", "--json", "analyze", file], capture_output=True, text=True, check=True)
+        return json.loads(done.stdout)["designs"][0]["metrics"]
 
 
 class Moved:
@@ -137,6 +186,18 @@ class Outputs(unittest.TestCase):
         still = unrolled([moved.output_at(start + 100 * i / 200) for i in range(201)])
         self.assertAlmostEqual(math.degrees(max(still) - min(still)) / 2, metrics["half_band_deg"], delta=1e-5)
         self.assertLess(metrics["half_band_deg"], 0.5)
+
+    def test_analyses_of_what_is_exported_report_the_output(self):
+        """And not the link that the design has last: its swing is that of this closure."""
+        pairs = three_pin_paths.planted_pairs(1, random.Random(3), 35)
+        rows = ", ".join(f"[{x}, {y:.15g}]" for x, y in pairs)
+        result = solved(f'kind = "function-generation"\n[target]\npairs_deg = [{rows}]\n[mechanism]\ntype = "three-pin"\n{LIMITS}'
+                        "[solve]\nstarts = 32\ndesigns = 1\n")
+        metrics = analysed(result)
+        self.assertEqual(metrics["output"], "GF")
+        outputs = Moved(result["designs"][0]).outputs()
+        self.assertAlmostEqual(metrics["output_swing_deg"], math.degrees(max(outputs) - min(outputs)), delta=1e-3)
+        self.assertEqual(analysed(solved(FIRST_LINK))["output"], "EF")
 
     def test_legs(self):
         best = solved(f'kind = "leg"\n[target]\nduty = 0.55\nstride = 1\nheight_min = 0.3\n[mechanism]\n'

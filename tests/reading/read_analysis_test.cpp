@@ -317,6 +317,18 @@ steps = 60
 }
 
 // A point of a link may be joined before its table stands in the file, and carry a further point.
+TEST(ReadAnalysisTest, TheOutputOfAChainIsTheBodyNamedOrTheLast) {
+  const std::string chain = std::string(kCrankAtOrigin) + R"(
+pivot = [{name = "A", at = [0, 0]}, {name = "D", at = [3, 0]}]
+dyad = [{type = "RRR", joins = ["B", "D"], lengths = [2.5, 2.5], new = "C"}]
+)";
+  EXPECT_EQ(read(chain).mechanism.output, 3);
+  const AnalysisProblem coupler = read(chain + "mechanism.output = \"BC\"\n");
+  EXPECT_EQ(coupler.mechanism.output, 2);
+  EXPECT_TRUE(KindTraits<AnalysisProblem>::checked(coupler)) << "what is written names it";
+  EXPECT_EQ(read(chain + "mechanism.output = \"CD\"\n").mechanism.output, 3);
+}
+
 TEST(ReadAnalysisTest, PointsAreThereOnceTheirBodyIs) {
   const AnalysisProblem problem = read(std::string(kCrankAtOrigin) + R"(
 pivot = [{name = "A", at = [0, 0]}, {name = "D", at = [3, 0]}, {name = "G", at = [6, 0]}]

@@ -22,6 +22,7 @@ cognate_page_kernel(design_kernel ${problem_reader} ${mechanism_evaluator} ${ana
   problems/chain/known_topologies.cpp
   problems/chain/model.cpp
   problems/chain/names.cpp
+  problems/chain/output/body.cpp
   problems/chain/output/space.cpp
   problems/chain/places.cpp
   problems/chain/read.cpp
