@@ -19,6 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using nlohmann::ordered_json;
+
 FileResult write_files(const fs::path& folder, const std::vector<ExportedFile>& files) {
   std::vector<std::string> names;
   for (const auto& file : files) names.push_back(file.name);
@@ -29,9 +31,9 @@ FileResult write_files(const fs::path& folder, const std::vector<ExportedFile>& 
   return written;
 }
 
-nlohmann::ordered_json export_document(const fs::path& file, const Exported& made,
-                                       const std::vector<std::string>& paths) {
-  nlohmann::ordered_json document = {
+ordered_json export_document(const fs::path& file, const Exported& made,
+                             const std::vector<std::string>& paths) {
+  ordered_json document = {
       {"format", "cognate-export/1"}, {"result", file.string()}, {"files", paths}};
   document.update(made.quantities);
   document["notes"] = made.notes;
@@ -69,10 +71,10 @@ ExportOutcome analysis_file(const ResultDesign& design, const ExportOptions& exp
                                                    "is allowed"});
     }
   }
-  return exported(analysis_of_design(design), [&](const nlohmann::ordered_json& tables) {
+  return exported(analysis_of_design(design), [&](const ordered_json& tables) {
     const std::string name = design_stem(stem, exporting.design) + ".toml";
     return tl::expected<Exported, std::string>(
-        Exported{{{name, toml_text(tables)}}, {}, "for cognate analyze", {}});
+        Exported{{{name, toml_text(tables)}}, {}, "for cognate analyze", ordered_json::object()});
   });
 }
 
