@@ -281,9 +281,18 @@ std::vector<std::pair<LineType, std::vector<TableReader>*>> PartTables::all() {
           {LineType::attached, &points}};
 }
 
+bool is_three_pin_link(TableReader& dyad) {
+  constexpr std::string_view kType = "type";
+  return dyad.has_text(kType) && *dyad.text(kType) == kThreePinWord;
+}
+
 void read_given(PartTables& parts, std::vector<Topology>& topologies) {
   for (auto& [type, tables] : parts.all()) {
     for (TableReader& table : *tables) {
+      if (type == LineType::dyad && is_three_pin_link(table)) {
+        table.finish();
+        continue;
+      }
       const bool is_named = table.has_text(name_key(type));
       const auto name = is_named ? *table.text(name_key(type)) : std::string("-");
       read_into(table, type_of(type, name, topologies), type == LineType::crank ? kAnyName : name,
@@ -296,6 +305,10 @@ void read_given_by_name(PartTables& parts, std::vector<Topology>& topologies) {
   std::vector<std::string> seen;
   for (auto& [type, tables] : parts.all()) {
     for (TableReader& table : *tables) {
+      if (type == LineType::dyad && std::ranges::any_of(topologies, has_three_pin_link)) {
+        table.faults().add(table.where(), fmt::format("[[dyad]] {}", kThreePinsAreFound));
+        continue;
+      }
       refuse_structure(table, type);
       const bool is_crank = type == LineType::crank;
       const auto name = is_crank ? kAnyName : read_known_name(table, type, seen, topologies);

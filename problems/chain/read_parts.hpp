@@ -2,6 +2,7 @@
 /// `[[pivot]]`, `[[dyad]]`, `[[point]]` and `[bounds]`.
 #pragma once
 
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,13 @@ struct PartTables {
   /// All of them, each with what a table makes.
   std::vector<std::pair<synthesis::LineType, std::vector<TableReader>*>> all();
 };
+
+/// Whether a `[[dyad]]` has the type of a link with three pins.
+bool is_three_pin_link(TableReader& dyad);
+
+/// Why what is given of a link with three pins is refused.
+inline constexpr std::string_view kThreePinsAreFound =
+    "is given of a three-pin link, whose dimensions are found; remove it: [bounds] limits them";
 
 /// The dimensions that the file gives of a chain, whose tables have been read but for these: what
 /// lies outside its bounds is a fault.

@@ -7,6 +7,7 @@
 
 #include "problems/chain/check_names.hpp"
 #include "problems/chain/places.hpp"
+#include "problems/chain/read_parts.hpp"
 #include "problems/mechanism/part_names.hpp"
 #include "problems/toml/nearest.hpp"
 
@@ -28,11 +29,6 @@ struct Part {
   std::optional<Mention> through{};  ///< of a slider: the pivot from which its guide counts
   std::vector<std::string> pins{};   ///< of a three-pin link
 };
-
-bool is_three_pin_link(TableReader& table) {
-  constexpr std::string_view kType = "type";
-  return table.has_text(kType) && *table.text(kType) == kThreePinWord;
-}
 
 class StructureReader {
  public:
@@ -172,12 +168,11 @@ class StructureReader {
   }
 
   void announce_three_pins(TableReader& table, std::string_view joins) {
-    for (const std::string_view key : {"names", "length", "lengths", "assembly", "slide"}) {
+    refuse_name(table, "names");
+    for (const std::string_view key : {"length", "lengths", "assembly", "slide"}) {
       if (!table.contains(key)) continue;
       table.know({key});
-      table.fault(key,
-                  "is given of a three-pin link, whose dimensions are found; remove it: [bounds] "
-                  "limits them");
+      table.fault(key, kThreePinsAreFound);
     }
     for (const std::string_view key : {joins, std::string_view("new")}) {
       if (!table.has(key)) table.fault(key, "is missing; expected the names of three points");

@@ -204,6 +204,25 @@ class Refused(unittest.TestCase):
                 ('name = "D"', 'name = "K-drawn"', "rename")):
             self.check(text.replace(old, new), word)
 
+    def test_its_dimensions_are_not_given(self):
+        """One message says so, whatever is given."""
+        chain, known = problem(target(1, 3), "chain") + CHAIN, problem(target(1, 3), "three-pin-1")
+        for given in ("lengths = [1, 2]", "lengths = [1, 2, 3]", 'lengths = "free"', "lengths = 3", "length = 3",
+                      'assembly = "open"', 'assembly = "left"', "slide = 1"):
+            with self.subTest(given):
+                self.check_alone(chain.replace('type = "three-pin"', f'type = "three-pin"\n{given}'), "given of a three-pin link")
+        for row in ('new = ["C", "E", "F"]\nlengths = [1, 2, 3]', 'new = "F"\nlengths = [1, 2]',
+                    'type = "three-pin"\njoins = ["B", "D", "G"]\nnew = ["C", "E", "F"]', "lengths = 3"):
+            with self.subTest(row):
+                self.check_alone(f"{known}[[dyad]]\n{row}\n", "given of a three-pin link")
+        self.check_alone(chain.replace('"M"]', '"M"]\nnames = ["k", "l"]'), "named by their points")
+
+    def check_alone(self, text, words):
+        result = run(text, command="check")
+        messages = [line for line in result.stderr.splitlines() if "problem.toml:" in line]
+        self.assertEqual((result.returncode, len(messages)), (2, 1), result.stderr)
+        self.assertIn(words, messages[0])
+
 
 if __name__ == "__main__":
     PROGRAM = sys.argv[1]
