@@ -1,10 +1,13 @@
 #include "app/studio/routes.hpp"
 
+#include <fmt/core.h>
+
 #include <charconv>
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <tl/expected.hpp>
 #include <utility>
 
 #include "app/commands/computation.hpp"
@@ -81,6 +84,23 @@ HttpAnswer checked(const std::string& text, const std::filesystem::path& folder)
                            {"valid", true},
                            {"problem", *sound},
                            {"faults", ordered_json::array()}});
+}
+
+/// The object that the body of a request holds; the error says what is wrong with it.
+tl::expected<ordered_json, std::string> object_in(const std::string& body) {
+  try {
+    auto document = ordered_json::parse(body);
+    if (document.is_object()) return document;
+    return tl::unexpected(
+        fmt::format("the body is JSON of the type {}; expected an object", document.type_name()));
+  } catch (const ordered_json::out_of_range&) {
+    return tl::unexpected(
+        std::string("a number in the body is greater than any of double precision; expected one "
+                    "below 1.8e308"));
+  } catch (const ordered_json::parse_error& error) {
+    return tl::unexpected(
+        fmt::format("the body is no JSON at its byte {}; expected a JSON object", error.byte));
+  }
 }
 
 HttpAnswer no_page() {
@@ -168,8 +188,11 @@ HttpAnswer StudioRoutes::get(const HttpRequest& request) {
 }
 
 HttpAnswer StudioRoutes::post(const HttpRequest& request) {
-  const auto body = ordered_json::parse(request.body, nullptr, false);
-  if (!body.is_object()) return error_answer(400, "expected a JSON object");
+  const auto given = object_in(request.body);
+  return given ? post(request, *given) : error_answer(400, given.error());
+}
+
+HttpAnswer StudioRoutes::post(const HttpRequest& request, const ordered_json& body) {
   if (request.path == "/stop") {
     workbench_.stop();
     return json_answer(200, ordered_json::object());

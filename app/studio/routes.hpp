@@ -51,6 +51,8 @@ class StudioRoutes {
  private:
   HttpAnswer get(const HttpRequest& request);
   HttpAnswer post(const HttpRequest& request);
+  /// `body` is what it holds, an object.
+  HttpAnswer post(const HttpRequest& request, const nlohmann::ordered_json& body);
   HttpAnswer page() const;
   HttpAnswer state(const HttpRequest& request);
   HttpAnswer solve(const std::string& text);

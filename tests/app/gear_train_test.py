@@ -112,7 +112,7 @@ class GearTrains(unittest.TestCase):
         self.run_it("solve", LIBRARY / "gear-train" / "planetary.toml")
         done = self.run_it("export", "planetary.result.json", "--format", "dxf")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("no outline", done.stderr)
+        self.assertIn("planetary.result.json: the gears of a gear-train have numbers of teeth and no outline", done.stderr)
 
     def test_the_nearest_ratio_is_reported(self):
         (self.folder / "far.toml").write_text('kind = "gear-train"\n[target]\nratio = 100\n'

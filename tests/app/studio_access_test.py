@@ -97,6 +97,11 @@ class StudioAccess(Studios):
                     os.urandom(1000)):
             for path in ("/check", "/solve", "/save"):
                 self.assertEqual(studio.status(path, raw=raw), 400, (path, raw[:20]))
+        for raw, words in ((b'{"text": 1e999}', "a number in the body is greater than any of double precision"),
+                           (b'{"a": [-1e400]}', "expected one below 1.8e308"),
+                           (b"[]", "JSON of the type array; expected an object"),
+                           (b'{"text": }', "no JSON at its byte 10; expected a JSON object")):
+            self.assertIn(words, studio.document("/check", raw=raw)["error"], raw)
         for version in (None, "1", -1, 1.5, [1]):
             self.assertEqual(studio.status("/save", {"text": "a", "version": version}), 400)
         self.assertEqual(studio.status("/check", raw=b"text=a", Content_Type="text/plain"), 415)

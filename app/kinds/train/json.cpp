@@ -92,8 +92,9 @@ ExportOutcome Kind<GearTrainProblem>::export_design(const ResultDesign& design,
                                                     const ExportOptions& /*wanted*/,
                                                     const std::string& /*stem*/) {
   return tl::unexpected(ExportRefusal{
-      design.name + ": is the result of a gear-train, whose gears have numbers of teeth and no "
-                    "outline; expected that of a linkage, a cam or a gear",
+      design.name +
+          ": the gears of a gear-train have numbers of teeth and no outline; expected the "
+          "result of a linkage, a cam or a gear",
       true});
 }
 
