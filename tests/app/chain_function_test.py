@@ -148,6 +148,41 @@ length = [10, 200]
             lengths = [length for row in mechanism["dyad"] for length in row["lengths"]]
             self.assertTrue(all(10 - 1e-6 <= length <= 200 + 1e-6 for length in lengths), lengths)
 
+    def test_the_mechanism_is_not_turned_about_the_only_pivot_given(self):
+        """What differs by that alone is one design: the crank's pivot stands level with the one given."""
+        for given, expected in (('name = "D"\nat = [10, 5]', 10 + 5j), ('name = "D"\nat = ["free", 5]', 5j)):
+            result = solved(f"""kind = "function-generation"
+[target]
+function = "1/x"
+domain = [1, 2]
+input_range_deg = 80
+output_range_deg = 45
+[mechanism]
+type = "stephenson-3"
+[[mechanism.pivot]]
+{given}
+[constraints]
+over = "turn"
+transmission_angle_deg = [30, 150]
+[solve]
+designs = 10
+starts = 384
+""")
+            self.check(result, lambda x: 1 / x)
+            shapes = []
+            for design in result["designs"]:
+                pivots = {row["name"]: complex(*row["at"]) for row in design["mechanism"]["pivot"]}
+                self.assertEqual(pivots["D"], expected)
+                self.assertEqual(pivots["A"].imag, 5)
+                along = (pivots["A"] - pivots["D"]) / abs(pivots["A"] - pivots["D"])
+                places = [abs(pivots["A"] - pivots["D"]), (pivots["G"] - pivots["D"]) / along]
+                dyads = design["mechanism"]["dyad"]
+                shapes.append(([row["assembly"] for row in dyads], places + [length for row in dyads for length in row["lengths"]]))
+            for i, (sides, shape) in enumerate(shapes):
+                for others, other in shapes[:i]:
+                    apart = max(abs(a - b) / max(1, abs(a)) for a, b in zip(shape, other))
+                    self.assertTrue(sides != others or apart > 0.01, (shape, other))
+
     def test_chain_given_point_by_point(self):
         self.check(solved("""
 kind = "function-generation"

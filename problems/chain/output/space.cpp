@@ -25,10 +25,14 @@ bool has_number(const TopologyLine& line) {
   return line.given[0] || line.given[1];
 }
 
-bool is_bound(const TopologyLine& line) {
-  return std::ranges::any_of(line.bounds, [](const Range& range) {
-    return std::isfinite(range.min) || std::isfinite(range.max);
-  });
+bool is_bound(const Range& range) {
+  return std::isfinite(range.min) || std::isfinite(range.max);
+}
+
+/// Whether the file says where the pivot is, or is not.
+bool is_placed(const TopologyLine& pivot) {
+  const bool is_bounded = is_bound(pivot.bounds[0]) || is_bound(pivot.bounds[1]);
+  return has_number(pivot) || is_bounded;
 }
 
 template <class Lines>
@@ -37,14 +41,36 @@ auto& crank_of(Lines& lines) {
                             [](const TopologyLine& line) { return line.line.type; });
 }
 
+/// The pivot of the crank.
+TopologyLine& own_pivot(Topology& topology) {
+  return topology.lines[static_cast<std::size_t>(crank_of(topology.lines).line.first)];
+}
+
 /// Whether nothing fixes the size of the mechanism.
 bool has_any_size(const Topology& topology) {
   std::ptrdiff_t places = 0;
   for (const TopologyLine& line : topology.lines) {
     if (!is_pivot(line) && has_number(line)) return false;
-    if (is_pivot(line) && (has_number(line) || is_bound(line))) ++places;
+    if (is_pivot(line) && is_placed(line)) ++places;
   }
   return places < 2;
+}
+
+/// The pivot about which the whole mechanism may be turned: the only one that the file places, else
+/// that of the crank. What the file leaves open of its place is 0. Null where there is none, or
+/// where its height is not known.
+TopologyLine* turning_pivot(Topology& topology) {
+  TopologyLine* placed = nullptr;
+  for (TopologyLine& line : topology.lines) {
+    if (!is_pivot(line) || !is_placed(line)) continue;
+    if (placed != nullptr) return nullptr;
+    placed = &line;
+  }
+  TopologyLine& still = placed != nullptr ? *placed : own_pivot(topology);
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!still.given.at(i) && !is_bound(still.bounds.at(i))) still.given.at(i) = 0.0;
+  }
+  return still.given[1] ? &still : nullptr;
 }
 
 /// The topology with what may be chosen without loss. Crank angles that are given count from the x
@@ -55,15 +81,8 @@ Topology framed(const Topology& from, const OutputFrame& frame) {
   if (!frame.keeps_size && has_any_size(from)) {
     crank.given[0] = std::clamp(1.0, crank.bounds[0].min, crank.bounds[0].max);
   }
-  const auto is_open = [](const TopologyLine& line) {
-    return !has_number(line) && !is_bound(line);
-  };
-  TopologyLine& own = topology.lines[static_cast<std::size_t>(crank.line.first)];
-  for (const TopologyLine& line : topology.lines) {
-    if (is_pivot(line) && &line != &own && !is_open(line)) return topology;
-  }
-  if (is_open(own)) own.given = {0.0, 0.0};
-  if (frame.keeps_direction || !own.given[1]) return topology;
+  const TopologyLine* still = turning_pivot(topology);
+  if (frame.keeps_direction || still == nullptr) return topology;
   const auto is_guide = [](const TopologyLine& line) { return line.line.type == LineType::guide; };
   const auto guide = std::ranges::find_if(topology.lines, is_guide);
   if (guide != topology.lines.end()) {
@@ -74,16 +93,21 @@ Topology framed(const Topology& from, const OutputFrame& frame) {
     return topology;
   }
   const auto other = std::ranges::find_if(
-      topology.lines, [&](const TopologyLine& line) { return is_pivot(line) && &line != &own; });
-  if (other != topology.lines.end()) other->given[1] = own.given[1];
+      topology.lines, [&](const TopologyLine& line) { return is_pivot(line) && &line != still; });
+  if (other != topology.lines.end()) other->given[1] = still->given[1];
   return topology;
 }
 
-/// Where the file has pivots, in the middle of their bounds where it bounds them.
+/// Where the file has pivots, in the middle of their bounds where it bounds them; a pivot that is
+/// level with another by choice is nowhere.
 std::vector<Vec2d> placed_pivots(const Topology& topology) {
   std::vector<Vec2d> places;
   for (const TopologyLine& line : topology.lines) {
-    if (!is_pivot(line) || (!has_number(line) && !is_bound(line))) continue;
+    if (!is_pivot(line)) continue;
+    const auto is_known = [&](std::size_t i) {
+      return line.given.at(i) || is_bound(line.bounds.at(i));
+    };
+    if (!is_known(0) || !is_known(1)) continue;
     const auto coordinate = [&](std::size_t i) {
       const auto& [least, greatest] = line.bounds.at(i);
       const double middle = 0.5 * (least + greatest);
