@@ -24,8 +24,8 @@ std::array<fs::path, 2> own_folders() {
 
 void* module_function(const char* module, const char* name) {
   for (const fs::path& folder : own_folders()) {
-    for (const fs::path& place :
-         {folder / module, folder / COGNATE_MODULES_FROM_PROGRAM / module}) {
+    for (const fs::path& place : {folder / module, folder / COGNATE_MODULES_FROM_PROGRAM / module,
+                                  folder / COGNATE_MODULES_FROM_PYTHON / module}) {
       void* const opened = ::dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);
       if (opened != nullptr) return ::dlsym(opened, name);
     }

@@ -360,6 +360,19 @@ class StudyTest(InFolder):
         for name in here:
             np.testing.assert_array_equal(here[name], there[name])
 
+    def test_columns_in_hdf5(self):
+        program("sweep", LIBRARY / "study/crank-rocker-map.toml", "--quiet", "--out", "there", "--format", "hdf5")
+        if not pathlib.Path("there/crank-rocker-map.study.h5").exists():
+            self.skipTest("the program writes no columns")
+        rows, columns = (cognate.Study(f"there/crank-rocker-map.study.{ending}") for ending in ("db", "h5"))
+        for name, values in rows.columns().items():
+            np.testing.assert_array_equal(columns.columns()[name], values)
+        self.assertEqual([len(block["id"]) for block in columns.blocks(2000)],
+                         [len(block["id"]) for block in rows.blocks(2000)])
+        pathlib.Path("bad.study.h5").write_bytes(b"\x89HDF\r\n\x1a\n")
+        with self.assertRaises(cognate.ProblemError):
+            cognate.Study("bad.study.h5").columns()
+
 
 if __name__ == "__main__":
     PROGRAM, LIBRARY = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
