@@ -178,7 +178,7 @@ class Placed(unittest.TestCase):
 class Lines(Placed):
     def test_without_limits_of_the_place_designs_are_those_of_the_length(self):
         rest = {"constraints": {"class": "crank-rocker"}, "solve": {"starts": 40}}
-        for name, ends in LINES.items():
+        for name, ends in some(LINES.items()):
             with self.subTest(name):
                 design = self.best_of(document(ends, **rest))
                 alone = document(ends, **rest)
@@ -187,6 +187,7 @@ class Lines(Placed):
                 for key in ("crank", "coupler", "rocker"):
                     self.assertAlmostEqual(design["mechanism"][key] / other["mechanism"][key], 1, 6)
 
+    @whole_only
     def test_either_end_may_be_the_first(self):
         p, q = LINES["aslant"]
         region = box_of([p, p + 20j], 10)

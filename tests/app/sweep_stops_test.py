@@ -17,6 +17,7 @@ import sys
 import unittest
 
 from sweeps import LONG, PROGRAM, SMALL, Sweeps
+from thinned import some
 
 MPI = dict(
     os.environ,
@@ -162,7 +163,8 @@ class ChangedStudyFile(Sweeps):
         strokes = [row[4] for row in self.rows("bits.study.db")]
         self.assertGreater(len(strokes), 10)
         found = 0
-        for number, stroke in enumerate(strokes):
+        chosen = some(enumerate(strokes))
+        for number, stroke in chosen:
             at = whole.find(struct.pack(">d", stroke))
             self.assertGreater(at, 0)
             bit = 7 * number % 64
@@ -173,7 +175,7 @@ class ChangedStudyFile(Sweeps):
             self.expect_refusal(done, "is damaged (the rows of the designs ", "are not those that were stored")
             self.assertEqual(file.read_bytes(), changed)
             found += 1
-        self.assertEqual(found, len(strokes))
+        self.assertEqual(found, len(chosen))
         first = self.rows("bits.study.db")[0][0]
         self.expect_refusal(
             self.run_program("export", "bits.study.db", "--row", first), "are not those that were stored"

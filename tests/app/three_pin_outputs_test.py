@@ -115,7 +115,7 @@ class Outputs(unittest.TestCase):
         self.assertAlmostEqual(rms, best["error"]["rms"], delta=1e-7)
 
     def test_planted_functions_are_found_again(self):
-        for kind, seed in [(1, 3), (2, 5)] + ([(1, 6), (2, 8), (1, 9)] if WHOLE else []):
+        for kind, seed in [(1, 3)] + ([(2, 5), (1, 6), (2, 8), (1, 9)] if WHOLE else []):
             pairs = three_pin_paths.planted_pairs(kind, random.Random(seed), 35)
             rows = ", ".join(f"[{x}, {y:.15g}]" for x, y in pairs)
             best = solved(f'kind = "function-generation"\n[target]\npairs_deg = [{rows}]\n[mechanism]\n'

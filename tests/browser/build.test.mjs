@@ -312,7 +312,7 @@ async function assertSameFacts(page) {
   return metrics;
 }
 
-for (const example of ["four_bar", "slider_crank", "six_bar", "quick_return"]) {
+for (const example of some(["six_bar", "slider_crank", "four_bar", "quick_return"])) {
   test(`the file of the example ${example} gives the same facts`, () => visit({}, async (page) => {
     await page.locator(`[data-example=${example}]`).click();
     await moving(page);
@@ -393,7 +393,7 @@ test("the address holds the mechanism", () => visit({}, async (page) => {
 
 const BAD = ["#j=A,0,0", "#j=A,x,0,frame", "#j=A,0,0,frame;A,1,1,frame", "#j=A,0,0,L1", "#l=L1", "#j=A,1e9,0,frame", "#j=%E0,0,0,frame", "#j=__proto__,0,0,frame", "#j=A,0,0,frame~L1;B,1,1,L1&l=L1,-1", "#%",
   "#j=A,0,0,frame~L1;B,1,1,L1&l=L1&s=G,L1,L1,0", "#j=A,0,0,frame~L1;B,1,1,L1&l=L1&d=L2", "#j=A,0,0,frame~L1;B,1,1,L1&l=L1&f=C,1,1", `#j=${Array.from({ length: 61 }, (_, i) => `P${i},${i},0,frame`).join(";")}`];
-for (const hash of BAD) {
+for (const hash of some(BAD)) {
   test(`a damaged address does no harm: ${hash.slice(0, 40)}`, () => visit({ hash }, async (page) => {
     if (hash.includes("=") && !hash.includes("__proto__")) assert.equal(await saidOf(page), "The address holds no mechanism that this page could read.");
     await buildFourBar(page);

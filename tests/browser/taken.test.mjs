@@ -7,6 +7,7 @@ import { fileURLToPath } from "node:url";
 import { distance } from "./browser.mjs";
 import { moving, visit as visitBuilt } from "./building.mjs";
 import { couplerPose, sliderPose } from "./closures.mjs";
+import { wholeOnly } from "./thinned.mjs";
 import { addressOf, draw, settled, visit } from "./sketching.mjs";
 
 const RADIANS = Math.PI / 180;
@@ -51,7 +52,7 @@ test("a four-bar that is drawn for", () => visit({}, async (page) => {
   assert.equal(drawing.FRAME.length, 2);
 }));
 
-test("a slider-crank that is drawn for", () => visit({}, async (page) => {
+wholeOnly("a slider-crank that is drawn for", () => visit({}, async (page) => {
   await page.locator("#by-slider").click();
   await draw(page, ellipse);
   await settled(page);
@@ -66,7 +67,7 @@ test("a slider-crank that is drawn for", () => visit({}, async (page) => {
   assert.equal(drawing.FRAME.length, 1);
 }));
 
-test("a linkage for a function is drawn without its diagram", () => visit({}, async (page) => {
+wholeOnly("a linkage for a function is drawn without its diagram", () => visit({}, async (page) => {
   await page.locator("#of-function").click();
   await page.locator("#plot").click();
   await settled(page);
