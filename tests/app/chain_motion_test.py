@@ -17,7 +17,7 @@ import unittest
 
 import chain_test
 import three_pin_paths
-from thinned import ordinarily, some, whole_only
+from thinned import ordinarily, some
 
 PROGRAM = ""
 
@@ -186,7 +186,7 @@ class Found(unittest.TestCase):
             last = f"E{i}", f"F{i}"
         parts += f'[[point]]\nname = "P"\non = ["{last[0]}", "{last[1]}"]\n'
         poses = carried(stephenson(), "EF", 0.7, chain_test.turn(12))
-        text = problem(poses, "chain", parts + "[solve]\nstarts = 32\n")
+        text = problem(poses, "chain", parts + f"[solve]\nstarts = {ordinarily(12, 32)}\n")
         for design in designs(text):
             self.check(design, poses, last)
         more = text.replace("[solve]", '[[point]]\nname = "Q"\non = ["A", "B"]\n[solve]')
@@ -241,7 +241,7 @@ starts = 64
         """Also those that are not the best, and from few starts."""
         poses = noisy(carried(stephenson(), "EF", 0.3, chain_test.turn(20)), 0.003,
                       random.Random(8))
-        text = problem(poses, "stephenson-3", f"[solve]\nstarts = {ordinarily(64, 256)}\ndesigns = 6\n",
+        text = problem(poses, "stephenson-3", "[solve]\nstarts = 256\ndesigns = 6\n",
                        target="closed = true\nangle_weight = 1")
         for design in designs(text):
             steep = max(map(abs, slopes(design, poses, "EF", 1)))

@@ -181,8 +181,8 @@ class Dwells(unittest.TestCase):
 
     def test_press(self):
         text = (LIBRARY / "dwell" / "press-with-dwell.toml").read_text()
-        metrics = self.check(solved(text + "\n[solve]\nstarts = 256\n"))
-        self.assertLess(metrics["half_band"], 0.05)
+        metrics = self.check(solved(f"{text}\n[solve]\nstarts = {ordinarily(96, 256)}\n"))
+        self.assertLess(metrics["half_band"], ordinarily(0.5, 0.05))
 
     def test_two_dwells_of_a_chain_with_a_given_guide(self):
         metrics = self.check(solved("""kind = "function-generation"
@@ -201,9 +201,9 @@ point = [{ name = "E", on = ["B", "C"] }]
 [constraints]
 transmission_angle_deg = [25, 155]
 [solve]
-starts = 192
+starts = %d
 designs = 2
-"""))
+""" % ordinarily(64, 192)))
         self.assertLess(metrics["half_band"], 2)
 
 

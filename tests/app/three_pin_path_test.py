@@ -115,7 +115,7 @@ class Found(unittest.TestCase):
             self.assertAlmostEqual(min(step, 360 - step), 15, delta=1e-6)
 
     def test_same_for_any_number_of_threads(self):
-        text = problem(target(1, 3), "three-pin-1", f"[solve]\nstarts = {ordinarily(64, 256)}\n")
+        text = problem(target(1, 3), "three-pin-1", f"[solve]\nstarts = {ordinarily(16, 256)}\n")
         one, two = (json.loads(run(text, "--threads", threads).stdout)["designs"]
                     for threads in "12")
         self.assertEqual(one, two)
@@ -123,7 +123,7 @@ class Found(unittest.TestCase):
     def test_bounds_and_given_places_are_kept(self):
         points = target(1, 3)
         a, b = points[0], points[36]
-        rest = (f'[solve]\nstarts = {ordinarily(128, 512)}\n[bounds]\nlength = [0.1, 60]\nC = [0.5, 55]\nGF-link = [0.5, 50]\n'
+        rest = (f'[solve]\nstarts = {ordinarily(64, 512)}\n[bounds]\nlength = [0.1, 60]\nC = [0.5, 55]\nGF-link = [0.5, 50]\n'
                 f'E = [[0.5, 50], [0.25, 45]]\n[[pivot]]\nname = "D"\n'
                 f'at = [{a.real + 2 * abs(b - a)}, {a.imag}]\n')
         for design in designs(problem(points, "three-pin-1", rest)):
@@ -136,7 +136,7 @@ class Found(unittest.TestCase):
 
     def test_a_chain_of_the_file_has_such_a_link(self):
         points = target(2, 4)
-        text = problem(points, "chain", "") + CHAIN + "[solve]\nstarts = 64\n"
+        text = problem(points, "chain", "") + CHAIN + "[solve]\nstarts = 16\n"
         text = text.replace("closed = true", 'closed = true\npoint = "T"')
         best = designs(text)[0]
         dyad, group = best["mechanism"]["dyad"]

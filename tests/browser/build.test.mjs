@@ -1,10 +1,9 @@
 // The page of `cognate sketch --mechanism`: links, pivots, sliders and forces put by hand make a mechanism that moves.
 import assert from "node:assert/strict";
 import fs from "node:fs";
-import { test } from "node:test";
 import { analysed, choose, click, drag, drawLinks, driveOf, factsOf, file, fix, jointsOf, linksOf, moving, pinsAt, saidOf, sheetOf, typedIn, visit } from "./building.mjs";
 import { assertFits, distance, goesToAndFro, moves } from "./browser.mjs";
-import { some } from "./thinned.mjs";
+import { inTurn as test, some } from "./thinned.mjs";
 import { couplerPose } from "./closures.mjs";
 import { gapOf } from "./rigidity.mjs";
 

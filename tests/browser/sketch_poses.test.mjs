@@ -1,7 +1,7 @@
 // The page of `cognate sketch`: poses are put, turned and moved, and linkages guide a body through them.
 import assert from "node:assert/strict";
 import { assertFits, distance } from "./browser.mjs";
-import { seldom as test, some } from "./thinned.mjs";
+import { rarely as test, some } from "./thinned.mjs";
 import { couplerPose } from "./closures.mjs";
 import { addressOf, answered, facts, offered, put, settled, SIX, targets, visit } from "./sketching.mjs";
 
