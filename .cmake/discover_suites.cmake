@@ -2,8 +2,8 @@
 # Writes into FILE a test of CTest for each suite of PROGRAM, a program of GoogleTest, such as
 # unit_problems.PathRaster of unit_problems_tests. Of a case most of the time goes by until its process
 # has begun; a suite needs one. Suites whose whole name LONG matches have the label `long` too; those
-# that DEAR matches begin early. Cases named in LONG_CASES, as SUITE.CASE|SUITE.CASE, are a test of
-# their own, SUITE.long, with that label.
+# that DEAR matches begin early. Cases named in LONG_CASES, as PROGRAM.SUITE.CASE with | between
+# them, are a test of their own, PROGRAM.SUITE.long, with that label.
 get_filename_component(program "${PROGRAM}" NAME_WE)
 string(REGEX REPLACE "_tests$" "" program "${program}")
 string(REPLACE "|" ";" long_cases "${LONG_CASES}")
@@ -27,7 +27,14 @@ foreach(suite IN LISTS suites)
     set(cost 50)
   endif()
   set(own_long "${long_cases}")
-  list(FILTER own_long INCLUDE REGEX "^${suite}\\.")
+  list(FILTER own_long INCLUDE REGEX "^${program}\\.${suite}\\.")
+  list(TRANSFORM own_long REPLACE "^${program}\\." "")
+  foreach(case IN LISTS own_long)
+    string(REPLACE "${suite}." "" name "${case}")
+    if(NOT list MATCHES "\n  ${name}\n")
+      message(FATAL_ERROR "${program} has no case ${case}")
+    endif()
+  endforeach()
   if(own_long)
     list(JOIN own_long ":" filter)
     write_test("${suite}" "${suite}.*-${filter}" "${labels}" ${cost})
