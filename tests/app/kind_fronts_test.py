@@ -80,7 +80,7 @@ class Fronts(unittest.TestCase):
 
     def test_function(self):
         for objective, error in some((("least-squares", "rms"), ("minimax", "max"))):
-            text = library("chain-function/six-bar-logarithm", "transmission_angle", ordinarily(32, 64))
+            text = library("chain-function/six-bar-logarithm", "transmission_angle", ordinarily(16, 64))
             text = text.replace("[target]", f'[target]\nobjective = "{objective}"')
             result = self.by_transmission(text, f"{error}_error_deg",
                                           lambda design: design["error"][f"{error}_deg"], 1.3, compared=WHOLE)
@@ -122,7 +122,7 @@ class Fronts(unittest.TestCase):
         self.assertLess(least[-1], 40)
 
     def test_motion(self):
-        result = self.by_transmission(motion("transmission_angle", ordinarily(32, 256)), "rms_error",
+        result = self.by_transmission(motion("transmission_angle", ordinarily(8, 256)), "rms_error",
                                       lambda design: design["error"]["rms"], compared=WHOLE)
         for design in result["designs"]:
             chain_motion_test.Found().check(design, POSES, "EF")

@@ -38,6 +38,8 @@ class Interrupted(Sweeps):
         for folder in ("other", "third"):
             second = self.run_program("sweep", "long.toml", "--out", folder)
             self.expect_refusal(second, f"process {running.pid} on ", "is running this study")
+        second = self.run_program("sweep", "../" + self.folder.name + "/long.toml", "--out", self.folder)
+        self.expect_refusal(second, f"process {running.pid} on ", "is running this study")
         running.send_signal(signal.SIGHUP)
         _, errors = running.communicate(timeout=60)
         self.assertEqual(running.returncode, 0)
@@ -52,9 +54,6 @@ class Interrupted(Sweeps):
         (self.folder / "some.toml").write_text(LONG.replace("4000000", "6000"))
         running = self.start("sweep", "some.toml", "--quiet")
         self.wait_for_rows("some.study.db")
-        second = self.run_program("sweep", "../" + self.folder.name + "/some.toml", "--out", self.folder)
-        if running.poll() is None:
-            self.expect_refusal(second, f"process {running.pid} on ", "is running this study")
         running.send_signal(signal.SIGINT)
         _, errors = running.communicate(timeout=60)
         self.assertEqual(running.returncode, 0)

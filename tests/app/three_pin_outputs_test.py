@@ -139,9 +139,9 @@ class Outputs(unittest.TestCase):
         self.assertLess(metrics["half_band_deg"], ordinarily(3, 0.5))
 
     def test_legs(self):
-        height = ordinarily(0.05, 0.3)
+        height = ordinarily(0.02, 0.3)
         best = solved(f'kind = "leg"\n[target]\nduty = 0.55\nstride = 1\nheight_min = {height}\n[mechanism]\n'
-                      f'type = "three-pin"\n{LIMITS}[solve]\nstarts = {ordinarily(12, 32)}\ndesigns = 1\n')["designs"][0]
+                      f'type = "three-pin"\n{LIMITS}[solve]\nstarts = {ordinarily(5, 32)}\ndesigns = 1\n')["designs"][0]
         moved, metrics = Moved(best), best["metrics"]
         self.check_transmission(moved)
         path = moved.of.path("P", SAMPLES)[0]
