@@ -23,10 +23,13 @@ def library(name):
     return (LIBRARY / "leg" / f"{name}.toml").read_text()
 
 
-def eased(name, starts):
-    """With limits that few starts meet."""
-    text = re.sub(r"starts = \d+", f"starts = {starts}", library(name)).replace("[35, 145]", "[25, 155]")
-    return re.sub(r"flatness_max = .*", "flatness_max = 0.06", text)
+def eased(starts):
+    """Klann's leg within limits that the published one meets, so that however few starts find one at least as flat."""
+    text = library("klann")
+    for old, new in (("starts = 768", f"starts = {starts}"), ("[35, 145]", "[10, 170]"), ("flatness_max = 0.03", "flatness_max = 0.09"),
+                     ("foot_speed_min = -0.49", ""), ("height_min = 0.5273", "height_min = 0.5"), ("duty = 0.55", "duty = 0.5")):
+        text = text.replace(old, new)
+    return text
 
 
 def foot_path(mechanism, foot):
@@ -127,7 +130,7 @@ class Designs(unittest.TestCase):
             self.assertLessEqual(abs(math.log(own[name] / length)), math.log(factor) + 1e-5, name)
 
     def test_klann(self):
-        text = library("klann").replace("starts = 768", "starts = 3072") if WHOLE else eased("klann", 64)
+        text = library("klann").replace("starts = 768", "starts = 3072") if WHOLE else eased(24)
         designs = self.check(solved(text), flatness=ordinarily(0.06, 0.025))
         for design in designs:
             self.check_near(design, "klann-leg", 1.5)
@@ -179,7 +182,7 @@ starts = {starts}
             self.assertEqual(result["facts"]["starts"], starts)
 
     def test_longest_stance(self):
-        self.check(solved(library("longest-stance") if WHOLE else eased("longest-stance", 32)), duty=ordinarily(0.4, 0.55))
+        self.check(solved(library("longest-stance")), duty=0.55)
 
     def test_chain_given_point_by_point(self):
         self.check(solved("""
@@ -203,7 +206,7 @@ starts = 96
 """), flatness=0.05)
 
     def test_same_for_any_number_of_threads(self):
-        text = eased("klann", 16)
+        text = eased(8)
         found = []
         for threads in ("1", "2"):
             done = command(text, "solve", "--json", "--quiet", "--threads", threads)
