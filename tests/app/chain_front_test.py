@@ -13,7 +13,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from chain_test import STEPHENSON_A, STEPHENSON_B, Chain, turn  # noqa: E402
-from thinned import WHOLE, whole_only  # noqa: E402
+from thinned import ordinarily, WHOLE, whole_only  # noqa: E402
 from written_files import command, solved  # noqa: E402
 
 FILE = """kind = "path-generation"
@@ -51,7 +51,7 @@ FOUR_BAR = Chain({"pivot": [{"name": "A", "at": (0, 0)}, {"name": "D", "at": (4,
                   "dyad": [{"joins": ["B", "D"], "lengths": (3.5, 3), "assembly": "open", "new": "C"}],
                   "point": [{"name": "P", "on": ["B", "C"], "at": (2, 1.5)}]})
 NOISY = noisy(STEPHENSON_B.path("P", turn(24)), 5, 0.003)
-BY_TRANSMISSION = file_of(NOISY, "stephenson-3", "transmission_angle", 20, "designs = 4\nstarts = 256")
+BY_TRANSMISSION = file_of(NOISY, "stephenson-3", "transmission_angle", 20, f"designs = 4\nstarts = {ordinarily(8, 256)}")
 
 
 @functools.cache
@@ -128,6 +128,7 @@ class ChainFronts(unittest.TestCase):
         self.assertLess(errors[0], 1e-9)
         self.check_errors(result, points)
 
+    @whole_only
     def test_links_are_worth_what_they_cost(self):
         points = noisy(STEPHENSON_A.path("P", turn(36)), 3, 0.002)
         result = solved(file_of(points, "any", "links", more="starts = 256"))
@@ -155,7 +156,7 @@ class ChainFronts(unittest.TestCase):
     def test_better_transmission_costs_error(self):
         result = front_by_transmission()
         angles, errors = front_of(result)
-        self.assertEqual(len(errors), 4)
+        self.assertGreaterEqual(len(errors), ordinarily(3, 4))
         self.check_is_front(angles, errors, True)
         self.check_errors(result, NOISY)
         for design, angle in zip(result["designs"], angles):
@@ -166,7 +167,7 @@ class ChainFronts(unittest.TestCase):
 
     def test_smaller_chains_have_greater_errors(self):
         points = noisy(STEPHENSON_B.path("P", turn(24)), 6, 0.003)
-        text = file_of(points, "watt-1", "size", 30, "designs = 4\nstarts = 256")
+        text = file_of(points, "watt-1", "size", 30, f"designs = 4\nstarts = {ordinarily(16, 256)}")
         result = solved(text)
         sizes, errors = front_of(result)
         self.assertGreaterEqual(len(errors), 3)
@@ -177,10 +178,12 @@ class ChainFronts(unittest.TestCase):
             lengths += [length for dyad in design["mechanism"]["dyad"] for length in dyad["lengths"]]
             self.assertAlmostEqual(max(lengths), size, delta=1e-9 * size)
             self.assertEqual(design["metrics"]["longest_link"], size)
+        if not WHOLE:
+            return
         # The front goes on to sizes below which hardly anything is found, and is as good as a search of many more starts
         # within the bounds of a size.
         def alone_below(most):
-            within = text.replace("[0.2, 12]", f"[0.2, {most}]").replace("starts = 256", f"starts = {2048 if WHOLE else 512}")
+            within = text.replace("[0.2, 12]", f"[0.2, {most}]").replace("starts = 256", "starts = 2048")
             return solved(within.replace('objectives = ["error", "size"]', ""))["designs"]
         self.assertLess(sizes[-1], sizes[0] / 3)
         self.assertTrue(all(design["error"]["rms"] > errors[-1] for design in alone_below(0.9 * sizes[-1])))
@@ -193,6 +196,7 @@ class ChainFronts(unittest.TestCase):
         limited = solved(BY_TRANSMISSION.replace("[constraints]", f"[constraints]\nrms_error_max = {most}"))
         self.assertLessEqual(max(front_of(limited)[1]), most * (1 + 1e-9))
 
+    @whole_only
     def test_the_same_seed_gives_the_same_front_for_any_threads(self):
         points = noisy(STEPHENSON_B.path("P", turn(16)), 8, 0.01)
         text = file_of(points, "stephenson-3", "transmission_angle", 30, "designs = 3\nstarts = 64")

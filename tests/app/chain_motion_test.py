@@ -17,6 +17,7 @@ import unittest
 
 import chain_test
 import three_pin_paths
+from thinned import ordinarily, some
 
 PROGRAM = ""
 
@@ -147,7 +148,7 @@ class Found(unittest.TestCase):
         self.assertAlmostEqual(metrics["transmission_angle_deg"]["acute_min"], least, delta=0.01)
 
     def test_planted_motions_are_found_again(self):
-        for kind, chain in (("stephenson-3", stephenson()), ("watt-1", watt())):
+        for kind, chain in some((("stephenson-3", stephenson()), ("watt-1", watt()))):
             poses = carried(chain, "EF", 0.7, chain_test.turn(36))
             best = designs(problem(poses, kind, "[constraints]\n"
                                    "transmission_angle_deg = [30, 150]\n"))[0]
@@ -156,8 +157,8 @@ class Found(unittest.TestCase):
 
     def test_noise_is_not_exceeded(self):
         rng = random.Random(5)
-        for target, angles in (("closed = true", chain_test.turn(48)),
-                               ("", [math.radians(200 - 4 * i) for i in range(36)])):
+        for target, angles in some((("closed = true", chain_test.turn(48)),
+                                    ("", [math.radians(200 - 4 * i) for i in range(36)]))):
             poses = carried(stephenson(), "EF", -2.0, angles)
             moved = noisy(poses, 0.01, rng)
             best = designs(problem(moved, "stephenson-3", target=target))[0]
@@ -169,7 +170,7 @@ class Found(unittest.TestCase):
     def test_errors_are_those_of_the_poses_at_any_scale(self):
         rng = random.Random(3)
         small = noisy(carried(stephenson(), "EF", 0.7, chain_test.turn(12)), 1e-3, rng)
-        for scale, away in ((1e13, 0), (1e-9, 0), (1e7, 1e9)):
+        for scale, away in some(((1e13, 0), (1e-9, 0), (1e7, 1e9))):
             poses = [(scale * at + away, angle) for at, angle in small]
             for design in designs(problem(poses, "stephenson-3", "[solve]\nstarts = 128\n")):
                 self.check(design, poses, "EF")
@@ -185,7 +186,7 @@ class Found(unittest.TestCase):
             last = f"E{i}", f"F{i}"
         parts += f'[[point]]\nname = "P"\non = ["{last[0]}", "{last[1]}"]\n'
         poses = carried(stephenson(), "EF", 0.7, chain_test.turn(12))
-        text = problem(poses, "chain", parts + "[solve]\nstarts = 32\n")
+        text = problem(poses, "chain", parts + f"[solve]\nstarts = {ordinarily(12, 32)}\n")
         for design in designs(text):
             self.check(design, poses, last)
         more = text.replace("[solve]", '[[point]]\nname = "Q"\non = ["A", "B"]\n[solve]')
@@ -227,7 +228,7 @@ starts = 64
     def test_four_bars_are_those_of_the_kind_without_chains(self):
         rng = random.Random(11)
         poses = noisy(carried(four_bar(), "BC", 0.3, chain_test.turn(24)[:20]), 0.02, rng)
-        for weight in (None, 0.4):
+        for weight in some((0.4, None)):
             given = f"angle_weight = {weight}\n" if weight else ""
             best = designs(problem(poses, "chain", FOUR_BAR, target=given))[0]
             self.check(best, poses, "BC", weight)

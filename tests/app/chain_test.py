@@ -17,6 +17,9 @@ import tempfile
 import tomllib
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from thinned import whole_only  # noqa: E402
+
 PROGRAM = ""
 LIBRARY = pathlib.Path()
 
@@ -284,9 +287,11 @@ class Designs(unittest.TestCase):
     def test_stephenson(self):
         self.check("stephenson-path", 1e-4)
 
+    @whole_only
     def test_watt(self):
         self.check("watt-path", 1e-4)
 
+    @whole_only
     def test_eight_bar(self):
         self.check("eight-bar-path", 5e-3)
 

@@ -172,6 +172,13 @@ class DesignLayers(unittest.TestCase):
         self.assertGreater(best["designs"][0]["error"]["rms"], free["designs"][0]["error"]["rms"])
         self.assertTrue(any("passed over" in note for note in best["notes"]), best["notes"])
 
+    def test_six_bars_in_two_layers(self):
+        text = (LIBRARY / "chain" / "watt-path-in-two-layers.toml").read_text()
+        two = self.solved(self.write(with_lines(text, "solve", "starts = 24\ndesigns = 1")))
+        self.assertEqual([design["layers"]["count"] for design in two["designs"]], [2])
+        self.assertGreater(self.check_by_samples(two), 0)
+
+    @whole_only
     def test_fewer_layers_cost_accuracy(self):
         """Six-bars that meet a path need more than two layers; in two the error is larger."""
         file = LIBRARY / "chain" / "watt-path-in-two-layers.toml"

@@ -16,6 +16,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from drawn_mechanisms import DrawnTestCase, drawn, pinned, slid, table  # noqa: E402
 from linked_bodies import is_determined  # noqa: E402
+from thinned import some, WHOLE  # noqa: E402
 from written_files import PROGRAM, command  # noqa: E402
 
 try:
@@ -28,14 +29,13 @@ LIBRARY, SCHEMA = (pathlib.Path(path) for path in sys.argv[2:4])
 
 class DrawnChains(DrawnTestCase):
     def test_planted_mechanisms_move_as_their_constraints_say(self):
-        compared = [self.follow(seed) for seed in range(40)]
-        self.assertGreater(sum(compared), 40 * 10, compared)
+        compared = [self.follow(seed) for seed in some(range(40))]
+        self.assertGreater(sum(compared), len(compared) * 10, compared)
 
     def test_any_joints_are_a_mechanism_where_their_constraints_are_independent(self):
-        soups = [soup(seed) for seed in range(250)]
-        said = [self.judged(joints) for joints in soups]
-        self.assertGreater(said.count("taken"), 10)
-        for reason in REASONS[:-1]:
+        said = [self.judged(soup(seed)) for seed in some(range(250))]
+        self.assertGreater(said.count("taken"), len(said) / 25)
+        for reason in REASONS[:-1] if WHOLE else ():
             self.assertGreater(said.count(reason), 0, reason)
 
     def judged(self, joints):

@@ -12,7 +12,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from chain_test import Chain  # noqa: E402
-from thinned import WHOLE, whole_only  # noqa: E402
+from thinned import ordinarily, some, WHOLE, whole_only  # noqa: E402
 from written_files import command, solved  # noqa: E402
 
 LIBRARY = pathlib.Path()
@@ -21,6 +21,15 @@ SAMPLES = 10000
 
 def library(name):
     return (LIBRARY / "leg" / f"{name}.toml").read_text()
+
+
+def eased(starts):
+    """Klann's leg within limits that the published one meets, so that however few starts find one at least as flat."""
+    text = library("klann")
+    for old, new in (("starts = 768", f"starts = {starts}"), ("[35, 145]", "[10, 170]"), ("flatness_max = 0.03", "flatness_max = 0.09"),
+                     ("foot_speed_min = -0.49", ""), ("height_min = 0.5273", "height_min = 0.5"), ("duty = 0.55", "duty = 0.5")):
+        text = text.replace(old, new)
+    return text
 
 
 def foot_path(mechanism, foot):
@@ -121,19 +130,20 @@ class Designs(unittest.TestCase):
             self.assertLessEqual(abs(math.log(own[name] / length)), math.log(factor) + 1e-5, name)
 
     def test_klann(self):
-        text = library("klann")
-        designs = self.check(solved(text.replace("starts = 768", "starts = 3072") if WHOLE else text), flatness=0.025)
+        text = library("klann").replace("starts = 768", "starts = 3072") if WHOLE else eased(24)
+        designs = self.check(solved(text), flatness=ordinarily(0.06, 0.025))
         for design in designs:
             self.check_near(design, "klann-leg", 1.5)
 
     def test_jansen(self):
-        designs = self.check(solved(library("jansen")), flatness=0.015, foot_speed_min=-1e-9)
+        text = library("jansen").replace("starts = 512", f"starts = {ordinarily(64, 512)}")
+        designs = self.check(solved(text), flatness=ordinarily(0.05, 0.015), foot_speed_min=-1e-9)
         for design in designs:
             self.check_near(design, "jansen-leg", 1.5)
 
     def test_the_published_leg_is_not_lost(self):
         """It meets everything, so that there is a design at least as flat, however few starts there are."""
-        for starts in (1, 2, 48):
+        for starts in some((1, 2, 48)):
             result = solved(f"""
 kind = "leg"
 [target]
@@ -196,7 +206,7 @@ starts = 96
 """), flatness=0.05)
 
     def test_same_for_any_number_of_threads(self):
-        text = library("klann").replace("starts = 768", "starts = 64")
+        text = eased(8)
         found = []
         for threads in ("1", "2"):
             done = command(text, "solve", "--json", "--quiet", "--threads", threads)

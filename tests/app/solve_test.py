@@ -53,6 +53,8 @@ coupler_point = [[-1, -1], [1, 1]]
 [constraints]
 class = "crank-rocker"
 transmission_angle_deg = [89.9, 90.1]
+[solve]
+starts = 20
 """
 
 

@@ -11,6 +11,7 @@ import time
 import unittest
 
 from studios import SHORT, Studios
+from thinned import whole_only
 
 
 class StudioAccess(Studios):
@@ -153,11 +154,29 @@ class StudioAccess(Studios):
                     self.assertRegex(answer, rb"^(HTTP/1.1 4\d\d |$)")
         self.ends_well(studio)
 
-    def test_connections_that_send_nothing_hinder_nobody(self):
-        studio = self.serve()
-        silent = [socket.create_connection(("127.0.0.1", studio.port), 10) for _ in range(150)]
+    def silent(self, studio, count):
+        """Connections on which nothing comes, or the begin of a request alone."""
+        silent = [socket.create_connection(("127.0.0.1", studio.port), 10) for _ in range(count)]
         for connection in silent[::2]:
             connection.sendall(b"POST /solve HTTP/1.1\r\nHost: ")
+        return silent
+
+    def test_connections_that_send_nothing_hinder_nobody(self):
+        studio = self.serve()
+        silent = self.silent(studio, 20)
+        begun = time.monotonic()
+        for _ in range(20):
+            self.assertEqual(studio.status("/state", timeout=5), 200)
+        self.assertLess(time.monotonic() - begun, 5)
+        self.assertEqual(studio.end(), 0)
+        self.assertLess(time.monotonic() - begun, 10)
+        for connection in silent:
+            connection.close()
+
+    @whole_only
+    def test_connections_that_send_nothing_are_cut_off(self):
+        studio = self.serve()
+        silent = self.silent(studio, 150)
         begun = time.monotonic()
         for _ in range(20):
             self.assertEqual(studio.status("/state", timeout=5), 200)

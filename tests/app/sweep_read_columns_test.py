@@ -17,6 +17,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from sweeps import PROGRAM, SMALL, Sweeps  # noqa: E402
+from thinned import some  # noqa: E402
 
 try:
     import h5py
@@ -245,7 +246,7 @@ coupler = 3.0\nrocker = 2.5\ncoupler_point = [1, 1]\n"""
         valid = (self.folder / "out/all.study.h5").read_bytes()
         row = self.rows("out/all.study.db")[0][0]
         rng = random.Random(1)
-        for size in [0, 1, 8, 48, 96, len(valid) - 1, *(rng.randrange(len(valid)) for _ in range(20))]:
+        for size in [0, 1, 8, 48, 96, len(valid) - 1, *some(rng.randrange(len(valid)) for _ in range(20))]:
             (self.folder / "cut.study.h5").write_bytes(valid[:size])
             self.expect_refusal(self.export("cut.study.h5", row), "cut.study.h5", "HDF5")
         (self.folder / "text.study.h5").write_text('base = "slider.toml"\n' * 10)
@@ -337,7 +338,7 @@ coupler = 3.0\nrocker = 2.5\ncoupler_point = [1, 1]\n"""
             (changed("blocks/kept", 0, -1), "not those of its blocks"),
             (changed("blocks/solved", 0, 77), "not those that were stored"),
         ]
-        for change, *parts in cases:
+        for change, *parts in some(cases):
             with self.subTest(parts):
                 self.change(change)
                 if parts == ["status"]:
@@ -369,7 +370,7 @@ coupler = 3.0\nrocker = 2.5\ncoupler_point = [1, 1]\n"""
         row = self.rows("out/all.study.db")[7][0]
         right = self.exported("out/all.study.db", row)
         rng = random.Random(7)
-        for number in range(100):
+        for number in some(range(100)):
             data = bytearray(valid)
             for _ in range(rng.choice([1, 1, 2, 8])):
                 data[rng.randrange(len(data))] ^= 1 << rng.randrange(8)

@@ -17,6 +17,7 @@ import sys
 import unittest
 
 from sweeps import LONG, PROGRAM, SMALL, Sweeps
+from thinned import some
 
 MPI = dict(
     os.environ,
@@ -37,6 +38,8 @@ class Interrupted(Sweeps):
         for folder in ("other", "third"):
             second = self.run_program("sweep", "long.toml", "--out", folder)
             self.expect_refusal(second, f"process {running.pid} on ", "is running this study")
+        second = self.run_program("sweep", "../" + self.folder.name + "/long.toml", "--out", self.folder)
+        self.expect_refusal(second, f"process {running.pid} on ", "is running this study")
         running.send_signal(signal.SIGHUP)
         _, errors = running.communicate(timeout=60)
         self.assertEqual(running.returncode, 0)
@@ -51,9 +54,6 @@ class Interrupted(Sweeps):
         (self.folder / "some.toml").write_text(LONG.replace("4000000", "6000"))
         running = self.start("sweep", "some.toml", "--quiet")
         self.wait_for_rows("some.study.db")
-        second = self.run_program("sweep", "../" + self.folder.name + "/some.toml", "--out", self.folder)
-        if running.poll() is None:
-            self.expect_refusal(second, f"process {running.pid} on ", "is running this study")
         running.send_signal(signal.SIGINT)
         _, errors = running.communicate(timeout=60)
         self.assertEqual(running.returncode, 0)
@@ -162,7 +162,8 @@ class ChangedStudyFile(Sweeps):
         strokes = [row[4] for row in self.rows("bits.study.db")]
         self.assertGreater(len(strokes), 10)
         found = 0
-        for number, stroke in enumerate(strokes):
+        chosen = some(enumerate(strokes))
+        for number, stroke in chosen:
             at = whole.find(struct.pack(">d", stroke))
             self.assertGreater(at, 0)
             bit = 7 * number % 64
@@ -173,7 +174,7 @@ class ChangedStudyFile(Sweeps):
             self.expect_refusal(done, "is damaged (the rows of the designs ", "are not those that were stored")
             self.assertEqual(file.read_bytes(), changed)
             found += 1
-        self.assertEqual(found, len(strokes))
+        self.assertEqual(found, len(chosen))
         first = self.rows("bits.study.db")[0][0]
         self.expect_refusal(
             self.run_program("export", "bits.study.db", "--row", first), "are not those that were stored"

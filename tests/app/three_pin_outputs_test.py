@@ -15,7 +15,7 @@ import tempfile
 import unittest
 
 import three_pin_paths
-from thinned import WHOLE
+from thinned import ordinarily, WHOLE
 from three_pin_paths import unrolled
 
 PROGRAM = ""
@@ -164,7 +164,7 @@ class Outputs(unittest.TestCase):
         self.assertAlmostEqual(rms, best["error"]["rms"], delta=1e-7)
 
     def test_planted_functions_are_found_again(self):
-        for kind, seed in [(1, 3), (2, 5)] + ([(1, 6), (2, 8), (1, 9)] if WHOLE else []):
+        for kind, seed in [(1, 3)] + ([(2, 5), (1, 6), (2, 8), (1, 9)] if WHOLE else []):
             pairs = three_pin_paths.planted_pairs(kind, random.Random(seed), 35)
             rows = ", ".join(f"[{x}, {y:.15g}]" for x, y in pairs)
             best = solved(f'kind = "function-generation"\n[target]\npairs_deg = [{rows}]\n[mechanism]\n'
@@ -175,7 +175,7 @@ class Outputs(unittest.TestCase):
 
     def test_dwells(self):
         result = solved(f'kind = "function-generation"\n[target]\ndwell = [{{ over_deg = 100 }}]\nswing_deg_min = 40\n'
-                        f'[mechanism]\ntype = "three-pin"\n{LIMITS}[solve]\nstarts = 128\ndesigns = 1\n')
+                        f'[mechanism]\ntype = "three-pin"\n{LIMITS}[solve]\nstarts = {ordinarily(32, 128)}\ndesigns = 1\n')
         best = result["designs"][0]
         moved, metrics = Moved(best), best["metrics"]
         self.check_transmission(moved)
@@ -185,7 +185,7 @@ class Outputs(unittest.TestCase):
         start = metrics["dwell_from_deg"]
         still = unrolled([moved.output_at(start + 100 * i / 200) for i in range(201)])
         self.assertAlmostEqual(math.degrees(max(still) - min(still)) / 2, metrics["half_band_deg"], delta=1e-5)
-        self.assertLess(metrics["half_band_deg"], 0.5)
+        self.assertLess(metrics["half_band_deg"], ordinarily(3, 0.5))
 
     def test_analyses_of_what_is_exported_report_the_output(self):
         """And not the link that the design has last: its swing is that of this closure."""
@@ -200,8 +200,9 @@ class Outputs(unittest.TestCase):
         self.assertEqual(analysed(solved(FIRST_LINK))["output"], "EF")
 
     def test_legs(self):
-        best = solved(f'kind = "leg"\n[target]\nduty = 0.55\nstride = 1\nheight_min = 0.3\n[mechanism]\n'
-                      f'type = "three-pin"\n{LIMITS}[solve]\nstarts = 32\ndesigns = 1\n')["designs"][0]
+        height = ordinarily(0.02, 0.3)
+        best = solved(f'kind = "leg"\n[target]\nduty = 0.55\nstride = 1\nheight_min = {height}\n[mechanism]\n'
+                      f'type = "three-pin"\n{LIMITS}[solve]\nstarts = {ordinarily(5, 32)}\ndesigns = 1\n')["designs"][0]
         moved, metrics = Moved(best), best["metrics"]
         self.check_transmission(moved)
         path = moved.of.path("P", SAMPLES)[0]
@@ -209,7 +210,7 @@ class Outputs(unittest.TestCase):
         first = round(metrics["stance_from_deg"] * SAMPLES / 360)
         stance = [path[(first + i) % SAMPLES] for i in range(round(0.55 * SAMPLES) + 1)]
         self.assertAlmostEqual(max(p.imag for p in path) - low, metrics["step_height"], delta=1e-4)
-        self.assertGreaterEqual(metrics["step_height"], 0.3 - 1e-6)
+        self.assertGreaterEqual(metrics["step_height"], height - 1e-6)
         self.assertAlmostEqual(max(p.real for p in stance) - min(p.real for p in stance), 1, delta=2e-3)
         self.assertAlmostEqual(max(p.imag for p in stance) - low, metrics["flatness"], delta=2e-3)
 

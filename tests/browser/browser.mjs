@@ -25,7 +25,7 @@ export function launch() {
 async function newPage(browser, { size = "desktop", scheme = "light", motion = "no-preference", locale = "en-GB" }) {
   const context = await browser.newContext({ viewport: SIZES[size], colorScheme: scheme, reducedMotion: motion, locale,
     hasTouch: size === "phone", deviceScaleFactor: size === "phone" ? 2 : 1 });
-  const opened = { page: await context.newPage(), faults: [], url: "", close: () => context.close() };
+  const opened = { page: await context.newPage(), viewport: SIZES[size], faults: [], url: "", close: () => context.close() };
   const { page, faults } = opened;
   page.on("console", (message) => { if (["error", "warning"].includes(message.type())) faults.push(message.text()); });
   page.on("pageerror", (error) => faults.push(String(error.stack ?? error)));
@@ -49,36 +49,40 @@ export async function open(browser, file, { prepare, hash, ...options } = {}) {
 // A new context costs as much as loading a report: those without preparation are kept, one for each set of options.
 const kept = new Map();
 
+// While one is visited it is nobody else's.
 async function keptPage(browser, options) {
   if (!kept.has(browser)) kept.set(browser, new Map());
   const pages = kept.get(browser), key = JSON.stringify(options);
-  if (!pages.has(key)) pages.set(key, await newPage(browser, options));
-  return { opened: pages.get(key), drop: () => pages.delete(key) };
+  const opened = pages.get(key) ?? await newPage(browser, options);
+  pages.delete(key);
+  return { opened, keep: () => pages.has(key) ? opened.close() : pages.set(key, opened) };
 }
 
 // Leaves nothing that the next visit could find: no page, no memory of it, no pointer over it.
-async function empty({ page }) {
+async function empty({ page, viewport }) {
   await page.evaluate(() => localStorage.clear());
   await page.goto("about:blank");
+  await page.setViewportSize(viewport);
   await page.mouse.move(0, 0);
 }
 
-// Runs `steps` on the report `name` in the folder REPORTS as if never opened before, and fails on any message of the console or
-// request.
-export async function visit(browser, name, options = {}, steps) {
-  const file = path.join(process.env.REPORTS, `${name}.html`), { prepare, hash, ...look } = options;
-  const { opened, drop } = prepare ? { opened: await open(browser, file, options), drop: () => {} } : await keptPage(browser, look);
+// Runs `steps` on `file` as if never opened before, and fails on any message of the console or request.
+export async function visitFile(browser, file, { prepare, hash, ...look }, steps) {
+  const { opened, keep } = prepare ? { opened: await open(browser, file, { prepare, hash, ...look }) } : await keptPage(browser, look);
   try {
     if (!prepare) await goTo(opened, file, hash);
     await steps(opened.page);
     assert.deepEqual(opened.faults, []);
-    await (prepare ? opened.close() : empty(opened));
+    if (!prepare) await empty(opened);
+    await (keep ?? opened.close)();
   } catch (error) {
-    drop();
     await opened.close();
     throw error;
   }
 }
+
+// The report `name` in the folder REPORTS.
+export const visit = (browser, name, options = {}, steps) => visitFile(browser, path.join(process.env.REPORTS, `${name}.html`), options, steps);
 
 // Waits until the circle that `selector` names has moved by more than a pixel, however slow the
 // machine.

@@ -1,10 +1,9 @@
 // The page of `cognate sketch --mechanism`: links, pivots, sliders and forces put by hand make a mechanism that moves.
 import assert from "node:assert/strict";
 import fs from "node:fs";
-import { test } from "node:test";
 import { analysed, choose, click, drag, drawLinks, driveOf, factsOf, file, fix, jointsOf, linksOf, moving, pinsAt, saidOf, sheetOf, typedIn, visit } from "./building.mjs";
 import { assertFits, distance, goesToAndFro, moves } from "./browser.mjs";
-import { some } from "./thinned.mjs";
+import { seldom as test, some } from "./thinned.mjs";
 import { couplerPose } from "./closures.mjs";
 import { gapOf } from "./rigidity.mjs";
 
@@ -37,6 +36,26 @@ function meeting(p, q, r, s, near) {
 }
 
 const assertNear = (p, q, what) => assert.ok(distance(p, q) < NEAR, `${what}: ${p} is not ${q}`);
+
+test("a quick return is built by a block that slides on a bar", () => visit({}, async (page) => {
+  await drawLinks(page, [[[0, 0], [0, 12]], [[0, -32], [2, 26]]]);
+  await fix(page, [[0, 0], [0, -32]]);
+  await choose(page, "slider");
+  await drag(page, [0, 12], [0.7, -10]);
+  await drawLinks(page, [[[0, 26], [32, 30]]]);
+  await choose(page, "slider");
+  await drag(page, [32, 30], [50, 30]);
+  await moving(page);
+  const joints = await jointsOf(page), { C, D, E } = joints, [length, rod] = [distance(C.at, D.at), distance(D.at, E.at)], [from] = await driveOf(page);
+  assert.equal(await page.locator("#sliders-rows tr").count(), 2);
+  for (let drive = from; drive < from + 360; drive += 29) {
+    const [b, d, e] = await pinsAt(page, drive, ["B", "D", "E"]), angle = drive * RADIANS;
+    assertNear(b, [12 * Math.cos(angle), 12 * Math.sin(angle)], "B");
+    const bar = Math.atan2(12 * Math.sin(angle) + 32, 12 * Math.cos(angle)), tip = [length * Math.cos(bar), length * Math.sin(bar) - 32];
+    assertNear(d, tip, `D at ${drive}`);
+    assertNear(e, [tip[0] + Math.sqrt(rod * rod - (30 - tip[1]) ** 2), 30], `E at ${drive}`);
+  }
+}));
 
 test("a four-bar is built with the mouse, and its point traces the curve of that linkage", () => visit({}, async (page) => {
   assert.ok(fs.statSync(file).size < 2e6);
@@ -75,26 +94,6 @@ test("a slider-crank is built by a slider in the direction of the drag", () => v
   await pinsAt(page, from, []);
   await click(page, [14, 6]);
   assert.match(await saidOf(page), /^Mobility 2/);
-}));
-
-test("a quick return is built by a block that slides on a bar", () => visit({}, async (page) => {
-  await drawLinks(page, [[[0, 0], [0, 12]], [[0, -32], [2, 26]]]);
-  await fix(page, [[0, 0], [0, -32]]);
-  await choose(page, "slider");
-  await drag(page, [0, 12], [0.7, -10]);
-  await drawLinks(page, [[[0, 26], [32, 30]]]);
-  await choose(page, "slider");
-  await drag(page, [32, 30], [50, 30]);
-  await moving(page);
-  const joints = await jointsOf(page), { C, D, E } = joints, [length, rod] = [distance(C.at, D.at), distance(D.at, E.at)], [from] = await driveOf(page);
-  assert.equal(await page.locator("#sliders-rows tr").count(), 2);
-  for (let drive = from; drive < from + 360; drive += 29) {
-    const [b, d, e] = await pinsAt(page, drive, ["B", "D", "E"]), angle = drive * RADIANS;
-    assertNear(b, [12 * Math.cos(angle), 12 * Math.sin(angle)], "B");
-    const bar = Math.atan2(12 * Math.sin(angle) + 32, 12 * Math.cos(angle)), tip = [length * Math.cos(bar), length * Math.sin(bar) - 32];
-    assertNear(d, tip, `D at ${drive}`);
-    assertNear(e, [tip[0] + Math.sqrt(rod * rod - (30 - tip[1]) ** 2), 30], `E at ${drive}`);
-  }
 }));
 
 test("a six-bar has a ternary link where a link begins on another", () => visit({}, async (page) => {
@@ -312,7 +311,7 @@ async function assertSameFacts(page) {
   return metrics;
 }
 
-for (const example of ["four_bar", "slider_crank", "six_bar", "quick_return"]) {
+for (const example of some(["six_bar", "slider_crank", "four_bar", "quick_return"])) {
   test(`the file of the example ${example} gives the same facts`, () => visit({}, async (page) => {
     await page.locator(`[data-example=${example}]`).click();
     await moving(page);
@@ -393,7 +392,7 @@ test("the address holds the mechanism", () => visit({}, async (page) => {
 
 const BAD = ["#j=A,0,0", "#j=A,x,0,frame", "#j=A,0,0,frame;A,1,1,frame", "#j=A,0,0,L1", "#l=L1", "#j=A,1e9,0,frame", "#j=%E0,0,0,frame", "#j=__proto__,0,0,frame", "#j=A,0,0,frame~L1;B,1,1,L1&l=L1,-1", "#%",
   "#j=A,0,0,frame~L1;B,1,1,L1&l=L1&s=G,L1,L1,0", "#j=A,0,0,frame~L1;B,1,1,L1&l=L1&d=L2", "#j=A,0,0,frame~L1;B,1,1,L1&l=L1&f=C,1,1", `#j=${Array.from({ length: 61 }, (_, i) => `P${i},${i},0,frame`).join(";")}`];
-for (const hash of BAD) {
+for (const hash of some(BAD)) {
   test(`a damaged address does no harm: ${hash.slice(0, 40)}`, () => visit({ hash }, async (page) => {
     if (hash.includes("=") && !hash.includes("__proto__")) assert.equal(await saidOf(page), "The address holds no mechanism that this page could read.");
     await buildFourBar(page);

@@ -1,10 +1,9 @@
 // The page of built mechanisms: masses, loads and the speed of its drive, its analysis in a worker, and the fingers on its sheet.
 import assert from "node:assert/strict";
 import fs from "node:fs";
-import { test } from "node:test";
 import { analysed, choose, click, jointsOf, linksOf, moving, pinsAt, saidOf, sheetOf, typedIn, visit } from "./building.mjs";
 import { distance, moves } from "./browser.mjs";
-import { some } from "./thinned.mjs";
+import { inTurn as test, some } from "./thinned.mjs";
 
 const LIBRARY = new URL("../../problems/library/analysis/", import.meta.url).pathname;
 

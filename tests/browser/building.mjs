@@ -1,5 +1,4 @@
 // The page of `cognate sketch --mechanism` in a browser. COGNATE: the program.
-import assert from "node:assert/strict";
 import { execFile, execFileSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
@@ -8,7 +7,7 @@ import { after, before } from "node:test";
 import { promisify } from "node:util";
 import { BUILD_SHEET } from "../../app/report/page/build/sheet.js";
 import { View } from "../../app/report/page/view.js";
-import { launch, open } from "./browser.mjs";
+import { launch, visitFile } from "./browser.mjs";
 
 let browser, folder;
 export let file;
@@ -22,11 +21,10 @@ after(async () => { await browser?.close(); fs.rmSync(folder, { recursive: true 
 
 // `problem`: a file with which the page is written.
 export async function visit({ problem, ...options }, steps) {
-  const { page, faults, close } = await open(browser, problem ? written(problem) : file, { motion: "reduce", ...options });
-  await page.locator(".build-tool[aria-checked=true]").waitFor();
-  await steps(page);
-  assert.deepEqual(faults, []);
-  await close();
+  await visitFile(browser, problem ? written(problem) : file, { motion: "reduce", ...options }, async (page) => {
+    await page.locator(".build-tool[aria-checked=true]").waitFor();
+    await steps(page);
+  });
 }
 
 function written(problem) {

@@ -4,9 +4,9 @@ import assert from "node:assert/strict";
 import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
-import { after, before, test } from "node:test";
+import { after, before } from "node:test";
 import { launch, open } from "./browser.mjs";
-import { some } from "./thinned.mjs";
+import { inTurn as test, some } from "./thinned.mjs";
 import { reported as reportedIn, sameTold, textsOf } from "./told.mjs";
 
 const LIBRARY = new URL("../../problems/library/", import.meta.url).pathname;

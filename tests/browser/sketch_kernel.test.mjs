@@ -1,6 +1,6 @@
 // The search in the page of `cognate sketch` without a page. KERNEL: its module, as the page holds it.
 import assert from "node:assert/strict";
-import { seldom as test } from "./thinned.mjs";
+import { seldom as test, some, wholeOnly } from "./thinned.mjs";
 import { Candidate } from "../../app/report/page/sketch/candidate.js";
 import { Front } from "../../app/report/page/sketch/front.js";
 import { leadingQuestion, problemOf } from "../../app/report/page/sketch/question.js";
@@ -14,7 +14,7 @@ const known = ({ mechanism: m, body_angle_deg: body = 0, crank_deg: cranks }) =>
 const CURVE = [[0, 0], [10, 10], [25, 12], [35, 5], [30, -8], [15, -10], [4, -9], [-3, -4], [5, 3], [14, 14], [31, 11], [36, -3]];
 
 test("a search that begins with a design ends with none worse", () => {
-  for (const drawing of [state(POSES), { ...state(POSES), points: CURVE, angles: null }]) {
+  for (const drawing of some([state(POSES), { ...state(POSES), points: CURVE, angles: null }])) {
     const found = answer(problemOf(drawing, { starts: 200, designs: 8 })).designs;
     const again = answer({ ...problemOf(drawing, { starts: 1, designs: 8 }), known: found.map(known) }).designs;
     assert.ok(found[0].rms > 1e-3);
@@ -64,7 +64,7 @@ for (const [name, drawing] of [["poses", state(POSES)], ["a curve", { ...state(P
     assert.deepEqual(answer(problem).designs, []);
   });
 
-  test(`the front of ${name} rises, and circles that meet measure its designs alike`, () => {
+  wholeOnly(`the front of ${name} rises, and circles that meet measure its designs alike`, () => {
     const { front: { points }, asked } = frontOf(drawing);
     assert.ok(points.length >= 5 && asked < 30, `${points.length} points after ${asked}`);
     points.forEach(({ candidate: { entry }, level, angle, error }, i) => {
@@ -96,7 +96,7 @@ test("a front goes on where only its bound changes, else begins anew", () => {
 });
 
 for (const [name, drawing, obstacle] of [["poses", state(POSES), [[5, 15], [25, 40]]], ["a curve", { ...state(POSES), points: CURVE, angles: null }, [[-10, -30], [40, -14]]]]) {
-  test(`joints and the point of the designs for ${name} stay out of a box over the whole turn`, () => {
+  wholeOnly(`joints and the point of the designs for ${name} stay out of a box over the whole turn`, () => {
     const free = { ...drawing, class: "crank-rocker", least: 10 };
     const designs = (kept) => answer(problemOf({ ...free, obstacle: kept }, { starts: 200, designs: 8 })).designs;
     const far = designs(obstacle).map(({ mechanism }) => clearanceOf(barOf(mechanism), obstacle));

@@ -1,6 +1,6 @@
 // The search for generators of functions in the page of `cognate sketch` without a page. KERNEL: its module, as the page holds it.
 import assert from "node:assert/strict";
-import { seldom as test } from "./thinned.mjs";
+import { seldom as test, some } from "./thinned.mjs";
 import { randomNumbers } from "../bench/report/drawings.mjs";
 import { generatedFunction } from "../bench/report/functions.mjs";
 import { leadingQuestion, problemOf } from "../../app/report/page/sketch/question.js";
@@ -25,7 +25,7 @@ function check({ points, least, reach, class: name }, designs) {
 
 test("planted four-bars are found to rounding, and with noise as near as the noise", () => {
   const random = randomNumbers();
-  for (let i = 0; i < 12; ++i) {
+  for (const _ of some(Array(12).fill(0))) {
     for (const tremor of [0, 0.5]) {
       const state = { ...LIMITS, angles: null, ...generatedFunction(random, LIMITS, tremor) }, { designs } = asked(state);
       check(state, designs);

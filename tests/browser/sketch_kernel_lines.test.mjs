@@ -1,6 +1,6 @@
 // The search for straight lines in the page of `cognate sketch` without a page. KERNEL: its module, as the page holds it.
 import assert from "node:assert/strict";
-import { seldom as test } from "./thinned.mjs";
+import { seldom as test, some } from "./thinned.mjs";
 import { Candidate } from "../../app/report/page/sketch/candidate.js";
 import { leadingQuestion, problemOf } from "../../app/report/page/sketch/question.js";
 import { couplerPose } from "./closures.mjs";
@@ -25,7 +25,7 @@ function check({ points: [p, q], region }, { mechanism, crank_deg: [from, , to],
 }
 
 test("pivots of a line stand in each region, and designs that are known stay", () => {
-  for (const region of REGIONS) {
+  for (const region of some(REGIONS)) {
     const state = { ...LINE, region }, { designs } = answer(problemOf(state, { starts: 120, designs: 4 }));
     assert.ok(designs?.length > 0, JSON.stringify(region));
     for (const design of designs) check(state, design);

@@ -1,7 +1,7 @@
 // The page of `cognate sketch`: slider-cranks trace a curve that is drawn.
 import assert from "node:assert/strict";
 import { assertFits, distance } from "./browser.mjs";
-import { rarely as test, some } from "./thinned.mjs";
+import { rarely as test, some, wholeOnly } from "./thinned.mjs";
 import { couplerPose, sliderPose } from "./closures.mjs";
 import { addressOf, answered, draw, facts, offered, settled, targets, visit } from "./sketching.mjs";
 
@@ -191,7 +191,7 @@ test("M goes on to both kinds, four-bars stay where they alone are searched for 
   assert.equal(await page.locator("#class").inputValue(), "crank-rocker");
 }));
 
-test("while a point is dragged both kinds follow, and all pass the points within the error", () => visit({ hash: hashOf(DROP) }, async (page) => {
+wholeOnly("while a point is dragged both kinds follow, and all pass the points within the error", () => visit({ hash: hashOf(DROP) }, async (page) => {
   await settled(page);
   const before = await facts(page, "rms"), at = await page.locator('[data-target="2"]').boundingBox();
   await page.mouse.move(at.x + at.width / 2, at.y + at.height / 2);

@@ -1,6 +1,5 @@
 // The page of `cognate sketch` in a browser. COGNATE: the program, which also answers in the place of the search where
 // the build had no compiler for WebAssembly.
-import assert from "node:assert/strict";
 import { execFile, execFileSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
@@ -9,7 +8,7 @@ import { after, before } from "node:test";
 import { promisify } from "node:util";
 import { gzipSync } from "node:zlib";
 import { problemToml } from "../../app/report/page/toml.js";
-import { launch, open } from "./browser.mjs";
+import { launch, visitFile } from "./browser.mjs";
 
 export let browser, folder, file, hasKernel;
 before(async () => {
@@ -51,7 +50,6 @@ async function programAnswer(problem) {
 }
 
 async function prepare(page) {
-  if (hasKernel) return;
   await page.exposeFunction("programAnswer", programAnswer);
   await page.addInitScript(() => {
     window.Worker = class {
@@ -70,7 +68,7 @@ async function prepare(page) {
 
 // Likewise; while `window.holds` is set, questions about all designs wait as {worker, message, send} in `window.held`. `window.told` is what was answered.
 export async function holding(page) {
-  await prepare(page);
+  if (!hasKernel) await prepare(page);
   await page.addInitScript(() => {
     Object.assign(window, { held: [], holds: false, told: [] });
     const { postMessage } = Worker.prototype;
@@ -86,10 +84,7 @@ export const hold = (page) => page.evaluate(() => { window.holds = true; });
 export const letGo = (page) => page.evaluate(() => { window.holds = false; for (const { send } of window.held.splice(0)) send(); });
 
 export async function visit(options, steps) {
-  const { page, faults, close } = await open(browser, path.join(folder, "answered.html"), { motion: "reduce", prepare, ...options });
-  await steps(page);
-  assert.deepEqual(faults, []);
-  await close();
+  await visitFile(browser, path.join(folder, "answered.html"), { motion: "reduce", ...(hasKernel ? {} : { prepare }), ...options }, steps);
 }
 
 // Draws with the mouse through places given by shares of the picture.

@@ -12,3 +12,6 @@ export const inTurn = oneOf(2);
 // Where each takes long, every fourth or eighth.
 export const seldom = oneOf(4);
 export const rarely = oneOf(8);
+
+// What an ordinary run leaves out, since another test of it shows the same at less cost.
+export const wholeOnly = process.env.WHOLE ? test : test.skip;
