@@ -24,9 +24,9 @@ std::array<fs::path, 2> own_folders() {
 
 void* module_function(const char* module, const char* name) {
   for (const fs::path& folder : own_folders()) {
-    for (const fs::path& place : {folder / module, folder / COGNATE_MODULES_FROM_PROGRAM / module,
-                                  folder / COGNATE_MODULES_FROM_PYTHON / module}) {
-      void* const opened = ::dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);
+    for (const char* from_there : {"", COGNATE_MODULES_FROM_PROGRAM, COGNATE_MODULES_FROM_PYTHON,
+                                   COGNATE_MODULES_FROM_BUILT_PYTHON}) {
+      void* const opened = ::dlopen((folder / from_there / module).c_str(), RTLD_NOW | RTLD_LOCAL);
       if (opened != nullptr) return ::dlsym(opened, name);
     }
   }
