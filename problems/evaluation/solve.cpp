@@ -159,9 +159,10 @@ std::vector<std::string> motion_notes(const AnalysisProblem& problem,
     const double unit = slides ? 1 : 180 / kPi;
     notes.push_back(fmt::format(
         "the drive crosses {} separate ranges of the mechanism; its stroke or swing is that of the "
-        "first, from {:.6g} to {:.6g}, its transmission and pressure angles are the extremes of "
-        "all",
-        summary.ranges, unit * summary.from + 0.0, unit * summary.to + 0.0));
+        "first, from {:.6g} to {:.6g}{}",
+        summary.ranges, unit * summary.from + 0.0, unit * summary.to + 0.0,
+        summary.transmission ? ", its transmission and pressure angles are the extremes of all"
+                             : ""));
   }
   if (!summary.endless.empty()) {
     notes.push_back(fmt::format(

@@ -89,7 +89,7 @@ void measure_all(const Settings& settings) {
     csv.emplace(fmt::output_file(settings.csv));
     csv->print("problem,seed,runs,reached,seconds\n");
   }
-  fmt::print("| problem | first run | never | median s | 95 % s | worst s | {} threads |\n",
+  fmt::print("| problem | first run | never | median s | 95 % s | worst s | gain by {} threads |\n",
              settings.threads);
   fmt::print("|---|---|---|---|---|---|---|\n");
   for (const Record& record : read_records()) {
