@@ -14,7 +14,8 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from chain_test import Chain  # noqa: E402
 from thinned import ordinarily, some, whole_only  # noqa: E402
-from written_files import command, solved  # noqa: E402
+from three_pin_paths import unrolled  # noqa: E402
+from written_files import analysed, command, solved  # noqa: E402
 
 LIBRARY = pathlib.Path()
 
@@ -206,6 +207,32 @@ transmission_angle_deg = [35, 145]
 starts = 192
 """.replace("table", "pairs_deg").replace("input_range_deg = 100\noutput_range_deg = -40\n", "")
    .replace("[1, 0.3], [2, 0.9], [3, 1.8], [4, 2.2]", "[25, -6], [50, -17], [75, -33], [100, -40]")), rms_deg=0.05)
+
+    def test_the_first_link_of_the_last_dyad_is_the_output(self):
+        """The analysis of what is exported names it, and its swing is that of this closure."""
+        result = solved("""kind = "function-generation"
+[target]
+pairs_deg = [[0, 0], [20, 9], [40, 20], [60, 30]]
+output = ["E", "F"]
+[mechanism]
+type = "chain"
+crank = { at = "A", pin = "B" }
+pivot = [{ name = "A" }, { name = "D" }, { name = "G" }]
+dyad = [{ joins = ["B", "D"], new = "C" }, { joins = ["E", "G"], new = "F" }]
+point = [{ name = "E", on = ["B", "C"] }]
+[constraints]
+over = "turn"
+transmission_angle_deg = [30, 150]
+[solve]
+designs = 1
+starts = 16
+""")
+        self.check(result)
+        chain, metrics = Chain(result["designs"][0]["mechanism"]), analysed(result)
+        places = [chain.places(2 * math.pi * i / 2880) for i in range(2881)]
+        angles = unrolled([cmath.phase(at["F"] - at["E"]) for at in places])
+        self.assertEqual(metrics["output"], "EF")
+        self.assertAlmostEqual(metrics["output_swing_deg"], math.degrees(max(angles) - min(angles)), delta=1e-3)
 
 
 class Planted(unittest.TestCase):

@@ -25,3 +25,15 @@ def solved(text, how="solve"):
     if done.returncode not in (0, 1):
         raise AssertionError(done.stderr)
     return json.loads(done.stdout)
+
+
+def analysed(result):
+    """The metrics of the analysis of the first design, exported as a file for it."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "found.result.json"
+        path.write_text(json.dumps(result), encoding="utf-8")
+        written = subprocess.run([PROGRAM, "--json", "export", path, "--format", "toml", "--out", folder],
+                                 capture_output=True, text=True, check=True)
+        (file,) = json.loads(written.stdout)["files"]
+        done = subprocess.run([PROGRAM, "--quiet", "--json", "analyze", file], capture_output=True, text=True, check=True)
+        return json.loads(done.stdout)["designs"][0]["metrics"]

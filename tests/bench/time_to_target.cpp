@@ -13,8 +13,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdint>
+#include <cstdio>
 #include <numeric>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "problems/linkage/result.hpp"
